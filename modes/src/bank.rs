@@ -1,0 +1,65 @@
+//! What passes from the solver to the instrument: tuned bodies and their modes.
+
+use crate::{Material, ModeLabel, Rayleigh, StrikeLine};
+use serde::{Deserialize, Serialize};
+
+/// One instrument: a body for each key, all of one material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bank {
+    /// Name of the instrument.
+    pub name: String,
+    /// What the bodies are made of.
+    pub material: Material,
+    /// Damping the instrument starts with.
+    pub damping: Rayleigh,
+    /// How the bank came about.
+    pub provenance: Provenance,
+    /// The bodies, by rising key.
+    pub bodies: Vec<Body>,
+}
+
+/// How a bank came about.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Provenance {
+    /// The recipe, word for word.
+    pub recipe: String,
+    /// Version and source hash of the code that built the bank.
+    pub code: String,
+    /// Mesh and element in words.
+    pub mesh: String,
+    /// Eigen solver in words.
+    pub solver: String,
+}
+
+/// One key's body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// MIDI key number that strikes it.
+    pub key: u8,
+    /// Pitch the body is tuned to, in Hz.
+    pub pitch_hz: f64,
+    /// Length, in m.
+    pub length_m: f64,
+    /// Mass, in kg.
+    pub mass_kg: f64,
+    /// Where it is struck.
+    pub line: StrikeLine,
+    /// Its modes, by rising frequency.
+    pub modes: Vec<Mode>,
+}
+
+/// One mode of vibration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// Undamped natural frequency, in Hz.
+    pub hz: f64,
+    /// ∫|φ·n| dS over the whole surface times 2π `hz`, in m²·kg^(−1/2)/s: the rectified volume
+    /// velocity that a unit modal displacement at this frequency sends out (O'Brien 2002 §3.4).
+    pub coupling: f64,
+    /// ‖Kφ − λMφ‖ / ‖Kφ‖ as solved.
+    pub residual: f64,
+    /// The mode's name.
+    pub label: ModeLabel,
+    /// Mass-normalised displacement φ at each point of the strike line, in kg^(−1/2).
+    pub shape: Vec<[f32; 3]>,
+}

@@ -1,0 +1,1 @@
+//! The built plug-in in a host, and the physics against published tables.

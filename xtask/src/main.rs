@@ -1,0 +1,3 @@
+//! Commands over the two crates.
+
+fn main() {}
