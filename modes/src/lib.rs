@@ -11,7 +11,7 @@ mod material;
 mod strike_line;
 
 pub use bank::{Bank, Body, Mode, Provenance};
-pub use damping::Rayleigh;
+pub use damping::{Motion, Rayleigh, t60_s};
 pub use label::{Family, Member, ModeLabel};
 pub use material::Material;
-pub use strike_line::StrikeLine;
+pub use strike_line::{Stencil, StrikeLine};
