@@ -49,6 +49,7 @@ impl Song {
         if !bytes.starts_with(b"MThd") {
             bail!("not a MIDI file: byte 0 should start the chunk MThd");
         }
+        check_timecode(bytes)?;
         let smf = Smf::parse(bytes).context("not a MIDI file")?;
         if smf.header.format == Format::Sequential {
             bail!("MIDI format 2 is a set of songs; allowed: format 0 or 1");
@@ -88,6 +89,19 @@ impl Song {
 #[must_use]
 pub fn frame(seconds: f64, rate_hz: f64) -> u64 {
     whole((seconds * rate_hz).round()) as u64
+}
+
+/// Refuses a timecode that is no film's or television's, which midly 0.5.3 negates unchecked.
+fn check_timecode(bytes: &[u8]) -> Result<()> {
+    /// Where the header chunk counts timecode frames to the second, as a negative number.
+    const PLACE: usize = 12;
+    match bytes.get(PLACE) {
+        Some(&byte @ 0x80..) if ![24, 25, 29, 30].contains(&byte.wrapping_neg()) => bail!(
+            "division counts {} timecode frames to the second; allowed: 24, 25, 29, 30",
+            byte.wrapping_neg()
+        ),
+        _ => Ok(()),
+    }
 }
 
 /// Ticks to a track's end.
@@ -244,6 +258,7 @@ mod tests {
         assert!(says(b"MThd\0\0\0\x06").contains("not a MIDI file"));
         assert!(says(&file([0, 96], b"")).contains("no note"));
         assert!(says(&file([0, 0], b"\x00\x90\x4A\x40")).contains("division"));
+        assert!(says(&file([0x80, 4], b"\x00\x90\x4A\x40")).contains("128 timecode frames"));
     }
 
     #[test]
