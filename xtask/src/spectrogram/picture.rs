@@ -124,7 +124,7 @@ fn frequency_axis(area: &Area<'_>) -> Drawing<()> {
         )?;
     }
     let at = (LEFT - 14, TOP - 26);
-    write(area, "Hz", 21, &FAINT, at, (HPos::Right, VPos::Center))
+    write(area, "Hz", 25, &FAINT, at, (HPos::Right, VPos::Center))
 }
 
 fn time_axis(area: &Area<'_>, seconds: f64) -> Drawing<()> {
@@ -145,7 +145,7 @@ fn time_axis(area: &Area<'_>, seconds: f64) -> Drawing<()> {
         tick += step;
     }
     let at = ((LEFT + RIGHT) / 2, BOTTOM + 46);
-    write(area, "time in s", 21, &FAINT, at, (HPos::Center, VPos::Top))
+    write(area, "time in s", 25, &FAINT, at, (HPos::Center, VPos::Top))
 }
 
 fn level_scale(area: &Area<'_>, top_db: i32) -> Drawing<()> {
@@ -169,7 +169,7 @@ fn level_scale(area: &Area<'_>, top_db: i32) -> Drawing<()> {
         )?;
     }
     let at = (right + 14, TOP - 26);
-    write(area, "dBFS", 21, &FAINT, at, (HPos::Left, VPos::Center))
+    write(area, "dBFS", 25, &FAINT, at, (HPos::Left, VPos::Center))
 }
 
 /// The greatest round step that gives at least six ticks.
