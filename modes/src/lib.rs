@@ -6,12 +6,22 @@
 
 mod bank;
 mod damping;
+#[cfg(feature = "solve")]
+pub mod fem;
 mod label;
 mod material;
+#[cfg(feature = "solve")]
+pub mod mesh;
+#[cfg(feature = "solve")]
+pub mod shape;
+#[cfg(feature = "solve")]
+pub mod solve;
 mod strike_line;
 
 pub use bank::{Bank, Body, Mode, Provenance};
 pub use damping::{Motion, Rayleigh, t60_s};
 pub use label::{Family, Member, ModeLabel};
 pub use material::Material;
+#[cfg(feature = "solve")]
+pub use solve::SolveError;
 pub use strike_line::{Stencil, StrikeLine};
