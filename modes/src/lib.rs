@@ -6,12 +6,18 @@
 
 mod bank;
 mod damping;
+mod equal_temperament;
 mod label;
 mod material;
+mod materials;
+mod obrien_2002;
 mod strike_line;
 
 pub use bank::{Bank, Body, Mode, Provenance};
 pub use damping::{Motion, Rayleigh, t60_s};
+pub use equal_temperament::equal_temperament_hz;
 pub use label::{Family, Member, ModeLabel};
-pub use material::Material;
+pub use material::{Material, MaterialError};
+pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
+pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 pub use strike_line::{Stencil, StrikeLine};
