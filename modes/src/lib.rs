@@ -13,7 +13,7 @@ mod materials;
 mod obrien_2002;
 mod strike_line;
 
-pub use bank::{Bank, Body, Mode, Provenance};
+pub use bank::{Bank, BankError, BankFileError, Body, Mode, Provenance};
 pub use damping::{Motion, Rayleigh, t60_s};
 pub use equal_temperament::equal_temperament_hz;
 pub use label::{Family, Member, ModeLabel};
