@@ -11,6 +11,8 @@ mod label;
 mod material;
 mod materials;
 mod obrien_2002;
+#[cfg(feature = "recipe")]
+mod recipe;
 mod strike_line;
 
 pub use bank::{Bank, BankError, BankFileError, Body, Mode, Provenance};
@@ -20,4 +22,8 @@ pub use label::{Family, Member, ModeLabel};
 pub use material::{Material, MaterialError};
 pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
+#[cfg(feature = "recipe")]
+pub use recipe::{
+    KeyRange, MeshRecipe, Recipe, RecipeError, RecipeFileError, ShapeRecipe, TuningRecipe,
+};
 pub use strike_line::{Stencil, StrikeLine};
