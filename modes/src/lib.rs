@@ -5,6 +5,7 @@
 //! them to whoever makes them sound.
 
 mod bank;
+mod code;
 mod damping;
 mod equal_temperament;
 mod label;
@@ -16,6 +17,7 @@ mod recipe;
 mod strike_line;
 
 pub use bank::{Bank, BankError, BankFileError, Body, Mode, Provenance};
+pub use code::CODE;
 pub use damping::{Motion, Rayleigh, t60_s};
 pub use equal_temperament::equal_temperament_hz;
 pub use label::{Family, Member, ModeLabel};
