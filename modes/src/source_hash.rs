@@ -1,0 +1,50 @@
+//! A hash of source files, to tell which code made a bank.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Hash of all files under `folders`, their paths relative to `root`, and their contents.
+pub(crate) fn hash_files(root: &Path, folders: &[&str]) -> io::Result<u64> {
+    let mut files = Vec::new();
+    for folder in folders {
+        list_files(root, folder, &mut files)?;
+    }
+    files.sort();
+    let mut hash = FNV_OFFSET;
+    for (name, path) in files {
+        let content = std::fs::read(path)?;
+        for part in [name.as_bytes(), &content] {
+            hash = fnv1a(hash, &(part.len() as u64).to_le_bytes());
+            hash = fnv1a(hash, part);
+        }
+    }
+    Ok(hash)
+}
+
+/// Names relative to `root` with `/` on every system, so that the order is the same on all.
+fn list_files(root: &Path, name: &str, files: &mut Vec<(String, PathBuf)>) -> io::Result<()> {
+    let path = root.join(name);
+    if path.is_file() {
+        files.push((name.to_owned(), path));
+        return Ok(());
+    }
+    for entry in std::fs::read_dir(path)? {
+        let entry = entry?.file_name();
+        list_files(root, &format!("{name}/{}", entry.to_string_lossy()), files)?;
+    }
+    Ok(())
+}
+
+const FNV_OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// Fowler, Noll and Vo's hash 1a, continued from `hash`.
+fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(hash, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+#[cfg(test)]
+pub(crate) fn fnv1a_of(bytes: &[u8]) -> u64 {
+    fnv1a(FNV_OFFSET, bytes)
+}
