@@ -1,5 +1,7 @@
 //! Names the code by a hash of what decides the content of a bank.
 
+#[path = "src/fnv.rs"]
+mod fnv;
 #[path = "src/source_hash.rs"]
 mod source_hash;
 

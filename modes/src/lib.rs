@@ -13,6 +13,8 @@ mod equal_temperament;
 pub mod factory;
 #[cfg(feature = "solve")]
 pub mod fem;
+#[cfg(any(feature = "solve", test))]
+mod fnv;
 mod label;
 mod material;
 mod materials;

@@ -1,5 +1,6 @@
 //! Nodes and the elements that join them.
 
+mod surface;
 mod tube;
 
 pub use tube::{TubeGrid, tube_hex20, tube_tet4};

@@ -1,5 +1,6 @@
 //! A hash of source files, to tell which code made a bank.
 
+use crate::fnv;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -10,12 +11,12 @@ pub(crate) fn hash_files(root: &Path, folders: &[&str]) -> io::Result<u64> {
         list_files(root, folder, &mut files)?;
     }
     files.sort();
-    let mut hash = FNV_OFFSET;
+    let mut hash = fnv::START;
     for (name, path) in files {
         let content = std::fs::read(path)?;
         for part in [name.as_bytes(), &content] {
-            hash = fnv1a(hash, &(part.len() as u64).to_le_bytes());
-            hash = fnv1a(hash, part);
+            hash = fnv::extend(hash, &(part.len() as u64).to_le_bytes());
+            hash = fnv::extend(hash, part);
         }
     }
     Ok(hash)
@@ -33,18 +34,4 @@ fn list_files(root: &Path, name: &str, files: &mut Vec<(String, PathBuf)>) -> io
         list_files(root, &format!("{name}/{}", entry.to_string_lossy()), files)?;
     }
     Ok(())
-}
-
-const FNV_OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
-
-/// Fowler, Noll and Vo's hash 1a, continued from `hash`.
-fn fnv1a(hash: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(hash, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
-}
-
-#[cfg(test)]
-pub(crate) fn fnv1a_of(bytes: &[u8]) -> u64 {
-    fnv1a(FNV_OFFSET, bytes)
 }
