@@ -1,5 +1,18 @@
 //! What passes from the solver to the instrument: tuned bodies and their modes.
 
+mod check;
+mod error;
+mod file;
+mod format;
+mod read;
+#[cfg(test)]
+mod sample;
+#[cfg(test)]
+mod tests;
+mod write;
+
+pub use error::{BankError, BankFileError};
+
 use crate::{Material, ModeLabel, Rayleigh, StrikeLine};
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +33,7 @@ pub struct Bank {
 
 /// How a bank came about.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Provenance {
     /// The recipe, word for word.
     pub recipe: String,
@@ -29,6 +43,12 @@ pub struct Provenance {
     pub mesh: String,
     /// Eigen solver in words.
     pub solver: String,
+    /// Farthest that a body's pitch may lie from its key, in cents.
+    pub tolerance_cents: f64,
+    /// Greatest relative residual of all modes.
+    pub max_residual: f64,
+    /// Greatest |φᵢᵀMφⱼ − δᵢⱼ| of all pairs of a body's modes.
+    pub max_orthonormality_error: f64,
 }
 
 /// One key's body.

@@ -26,6 +26,19 @@ pub enum Motion {
 }
 
 impl Rayleigh {
+    /// Damping whose loss factor η = 2d/ω is `eta` at the frequencies `low_hz` and `high_hz`.
+    ///
+    /// η = α1 ω + α2/ω; it is less than `eta` between the two and more outside.
+    #[must_use]
+    pub const fn with_loss_factor(eta: f64, low_hz: f64, high_hz: f64) -> Self {
+        let low = std::f64::consts::TAU * low_hz;
+        let high = std::f64::consts::TAU * high_hz;
+        Self {
+            alpha1_s: eta / (low + high),
+            alpha2_per_s: eta * low * high / (low + high),
+        }
+    }
+
     /// Amplitude decay rate in 1/s of the mode whose undamped frequency is `hz`.
     #[must_use]
     pub fn decay_per_s(&self, hz: f64) -> f64 {
@@ -53,4 +66,22 @@ impl Rayleigh {
 #[must_use]
 pub fn t60_s(decay_per_s: f64) -> f64 {
     1000f64.ln() / decay_per_s
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    /// d = π f η (van den Doel & Pai 1998, Eq. 12, with η for tan φ).
+    #[test]
+    fn a_loss_factor_is_met_at_both_frequencies() {
+        let damping = Rayleigh::with_loss_factor(4.5e-3, 200.0, 2000.0);
+        for hz in [200.0, 2000.0] {
+            let decay = damping.decay_per_s(hz);
+            assert!((decay / (PI * hz * 4.5e-3) - 1.0).abs() < 1e-14, "{decay}");
+        }
+        assert!(damping.decay_per_s(632.0) < PI * 632.0 * 4.5e-3);
+        assert!(damping.decay_per_s(5000.0) > PI * 5000.0 * 4.5e-3);
+    }
 }

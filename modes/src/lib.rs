@@ -4,14 +4,46 @@
 //! turn each into natural frequencies and mode shapes; a [`Bank`] carries
 //! them to whoever makes them sound.
 
+pub mod analytic;
 mod bank;
+mod code;
 mod damping;
+mod equal_temperament;
+#[cfg(feature = "solve")]
+pub mod factory;
+#[cfg(feature = "solve")]
+pub mod fem;
+#[cfg(any(feature = "solve", test))]
+mod fnv;
 mod label;
 mod material;
+mod materials;
+#[cfg(feature = "solve")]
+pub mod mesh;
+mod obrien_2002;
+#[cfg(feature = "solve")]
+pub mod radiation;
+#[cfg(feature = "recipe")]
+mod recipe;
+pub mod shape;
+#[cfg(feature = "solve")]
+pub mod solve;
 mod strike_line;
+#[cfg(feature = "solve")]
+pub mod tube;
 
-pub use bank::{Bank, Body, Mode, Provenance};
+pub use bank::{Bank, BankError, BankFileError, Body, Mode, Provenance};
+pub use code::CODE;
 pub use damping::{Motion, Rayleigh, t60_s};
+pub use equal_temperament::equal_temperament_hz;
 pub use label::{Family, Member, ModeLabel};
-pub use material::Material;
+pub use material::{Material, MaterialError};
+pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
+pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
+#[cfg(feature = "recipe")]
+pub use recipe::{
+    KeyRange, MeshRecipe, Recipe, RecipeError, RecipeFileError, ShapeRecipe, TuningRecipe,
+};
+#[cfg(feature = "solve")]
+pub use solve::SolveError;
 pub use strike_line::{Stencil, StrikeLine};

@@ -17,7 +17,7 @@ pub struct Stencil {
     /// Index of the first sample.
     pub first: usize,
     /// Weights of the samples from `first` on.
-    pub weights: [f64; Stencil::POINTS],
+    pub weights: [f64; Self::POINTS],
 }
 
 impl Stencil {
@@ -38,8 +38,13 @@ impl Stencil {
             "a strike line has at least 6 points"
         );
         let last = (samples - 1) as f64;
-        // `max` and `min` rather than `clamp`, because they turn NaN into a bound.
-        let x = position.max(0.0).min(1.0) * last;
+        // NaN is not above 0, so that it too becomes the first end.
+        let inside = if position > 0.0 {
+            position.min(1.0)
+        } else {
+            0.0
+        };
+        let x = inside * last;
         #[expect(clippy::cast_sign_loss, reason = "x is at least 0")]
         let cell = x as usize;
         let first = cell

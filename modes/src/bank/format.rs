@@ -1,0 +1,172 @@
+//! The layout of a bank file.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 0…7 | [`MAGIC`] |
+//! | 8…11 | format version, u32 |
+//! | 12…19 | length of the file, u64 |
+//! | 20…23 | CRC-32 of all other bytes, u32 |
+//! | 24…27 | length of the header, u32 |
+//! | 28… | [`Header`] as JSON |
+//! | then | a section for each body, holding [`ARRAYS`] one after the other |
+//!
+//! Numbers are little-endian. The first 24 bytes stay as they are in every version.
+
+use super::Provenance;
+use crate::{Family, Material, Member, Rayleigh};
+use serde::{Deserialize, Serialize};
+
+/// Starts every bank. The bytes around the letters show a file that was mangled as text.
+pub(super) const MAGIC: [u8; 8] = *b"\x89IDBK\r\n\x1a";
+/// The version written, and the newest read.
+pub(super) const VERSION: u32 = 1;
+/// Bytes up to and with the checksum.
+pub(super) const PRELUDE_LEN: usize = 24;
+/// Where the checksum stands.
+pub(super) const CHECKSUM_AT: usize = 20;
+/// Longest file that is read: a hundred times a large bank.
+pub(super) const MAX_LEN: u64 = 1 << 30;
+
+/// The JSON header.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Header {
+    pub(super) format: String,
+    pub(super) name: String,
+    pub(super) material: Material,
+    pub(super) damping: Rayleigh,
+    pub(super) provenance: Provenance,
+    pub(super) bodies: Vec<BodyEntry>,
+    pub(super) arrays: Vec<ArrayEntry>,
+}
+
+/// What [`Header::format`] says.
+pub(super) const FORMAT: &str = "Idiophone bank: SI units, little-endian, offsets from the end \
+                                 of this header";
+
+/// A body in the header.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct BodyEntry {
+    pub(super) key: u8,
+    pub(super) pitch_hz: f64,
+    pub(super) length_m: f64,
+    pub(super) mass_kg: f64,
+    pub(super) modes: u64,
+    pub(super) points: u64,
+    pub(super) offset: u64,
+}
+
+/// An array of a body's section, described in the header.
+#[derive(PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ArrayEntry {
+    pub(super) name: String,
+    pub(super) elements: String,
+    pub(super) unit: String,
+}
+
+/// Name, elements and unit of the arrays of a section, in their order.
+pub(super) const ARRAYS: [[&str; 3]; 8] = [
+    ["points", "f64[points][3]", "m"],
+    ["normals", "f64[points][3]", "1"],
+    ["hz", "f64[modes]", "Hz"],
+    ["coupling", "f64[modes]", "m^2 kg^(-1/2)/s"],
+    ["residual", "f64[modes]", "1"],
+    [
+        "label",
+        "[modes]{family u8 (0 bending, 1 torsion, 2 longitudinal, 3 wall, 4 other), \
+         member u8 (0 single, 1 a, 2 b), order u16, index u16}",
+        "1",
+    ],
+    [
+        "components",
+        "u8[modes], bits 1 x, 2 y, 4 z: those of the shape that are not zero at every point",
+        "1",
+    ],
+    [
+        "shape",
+        "[modes][stored components] f32[points]",
+        "kg^(-1/2)",
+    ],
+];
+
+/// Bytes of a point with its normal.
+pub(super) const POINT_LEN: u64 = 48;
+/// Bytes of a mode without its shape.
+pub(super) const MODE_LEN: u64 = 31;
+
+pub(super) fn described_arrays() -> Vec<ArrayEntry> {
+    let entry = |[name, elements, unit]: [&str; 3]| ArrayEntry {
+        name: name.to_owned(),
+        elements: elements.to_owned(),
+        unit: unit.to_owned(),
+    };
+    ARRAYS.map(entry).into()
+}
+
+/// CRC-32 of a file but for the checksum itself.
+pub(super) fn checksum(file: &[u8]) -> u32 {
+    let mut hasher = crc32fast::Hasher::new();
+    hasher.update(&file[..CHECKSUM_AT]);
+    hasher.update(&file[PRELUDE_LEN..]);
+    hasher.finalize()
+}
+
+/// Families by their number in a file.
+pub(super) const FAMILIES: [Family; 5] = [
+    Family::Bending,
+    Family::Torsion,
+    Family::Longitudinal,
+    Family::Wall,
+    Family::Other,
+];
+
+/// Members by their number in a file.
+pub(super) const MEMBERS: [Member; 3] = [Member::Single, Member::A, Member::B];
+
+pub(super) const fn family_number(family: Family) -> u8 {
+    match family {
+        Family::Bending => 0,
+        Family::Torsion => 1,
+        Family::Longitudinal => 2,
+        Family::Wall => 3,
+        Family::Other => 4,
+    }
+}
+
+pub(super) const fn member_number(member: Member) -> u8 {
+    match member {
+        Member::Single => 0,
+        Member::A => 1,
+        Member::B => 2,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_and_names_go_both_ways() {
+        for (number, &family) in FAMILIES.iter().enumerate() {
+            assert_eq!(usize::from(family_number(family)), number);
+        }
+        for (number, &member) in MEMBERS.iter().enumerate() {
+            assert_eq!(usize::from(member_number(member)), number);
+        }
+    }
+
+    /// The check value of CRC-32/ISO-HDLC: that of the nine digits is CBF43926.
+    #[test]
+    fn the_checksum_is_crc_32_and_leaves_itself_out() {
+        let mut file = [0; PRELUDE_LEN + 9];
+        file[PRELUDE_LEN..].copy_from_slice(b"123456789");
+        let mut shorter = [0; CHECKSUM_AT + 9];
+        shorter[CHECKSUM_AT..].copy_from_slice(b"123456789");
+        assert_eq!(checksum(&file), crc32fast::hash(&shorter));
+        assert_eq!(crc32fast::hash(b"123456789"), 0xcbf4_3926);
+        file[CHECKSUM_AT] = 7;
+        assert_eq!(checksum(&file), crc32fast::hash(&shorter));
+    }
+}

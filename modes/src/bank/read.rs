@@ -1,0 +1,229 @@
+//! Bytes to a bank, whatever the bytes.
+
+use super::format::{
+    BodyEntry, CHECKSUM_AT, FAMILIES, FORMAT, Header, MAGIC, MAX_LEN, MEMBERS, MODE_LEN, POINT_LEN,
+    PRELUDE_LEN, VERSION, checksum, described_arrays,
+};
+use super::{Bank, BankError, Body, Mode};
+use crate::{ModeLabel, StrikeLine};
+
+impl Bank {
+    /// The bank that `file` is the content of.
+    ///
+    /// Takes no more memory than a few times the bytes given, whatever they say.
+    ///
+    /// # Errors
+    ///
+    /// If the bytes are not a whole, undamaged and possible bank of a known version.
+    pub fn read(file: &[u8]) -> Result<Self, BankError> {
+        let expected = stated_len(file)?;
+        let found = file.len() as u64;
+        if found < expected {
+            return Err(BankError::Truncated { expected, found });
+        }
+        if found > expected || checksum(file) != u32_at(file, CHECKSUM_AT) {
+            return Err(BankError::Corrupted);
+        }
+        match u32_at(file, MAGIC.len()) {
+            VERSION => {}
+            0 => return Err(BankError::inconsistent("format version", 0, "at least 1")),
+            found => {
+                return Err(BankError::FutureVersion {
+                    found,
+                    newest: VERSION,
+                });
+            }
+        }
+        let mut content = Reader(&file[PRELUDE_LEN..]);
+        let header_len = u32::from_le_bytes(content.take("header")?);
+        let header = content.slice("header", u64::from(header_len))?;
+        let header: Header = serde_json::from_slice(header).map_err(|error| {
+            // What the error quotes from the file is cut to one line.
+            let quoted = error.to_string();
+            let line: String = quoted
+                .chars()
+                .filter(|c| !c.is_control())
+                .take(200)
+                .collect();
+            BankError::inconsistent("header", line, "as this version writes it")
+        })?;
+        if header.format != FORMAT || header.arrays != described_arrays() {
+            return Err(BankError::inconsistent(
+                "header",
+                "a description of another layout",
+                "as this version writes it",
+            ));
+        }
+        let bank = Self {
+            name: header.name,
+            material: header.material,
+            damping: header.damping,
+            provenance: header.provenance,
+            bodies: read_bodies(&header.bodies, content)?,
+        };
+        bank.check()?;
+        Ok(bank)
+    }
+}
+
+/// Length in bytes that a file states in its first bytes.
+pub(super) fn stated_len(start: &[u8]) -> Result<u64, BankError> {
+    let shown = start.len().min(MAGIC.len());
+    if start[..shown] != MAGIC[..shown] {
+        return Err(BankError::Foreign);
+    }
+    let Some(bytes) = start[..start.len().min(PRELUDE_LEN)].get(12..PRELUDE_LEN) else {
+        return Err(BankError::Truncated {
+            expected: PRELUDE_LEN as u64,
+            found: start.len() as u64,
+        });
+    };
+    let mut len = [0; 8];
+    len.copy_from_slice(&bytes[..8]);
+    let len = u64::from_le_bytes(len);
+    // A length that no bank has was not written as such.
+    if !(PRELUDE_LEN as u64..=MAX_LEN).contains(&len) {
+        return Err(BankError::Corrupted);
+    }
+    Ok(len)
+}
+
+fn u32_at(file: &[u8], at: usize) -> u32 {
+    let mut bytes = [0; 4];
+    bytes.copy_from_slice(&file[at..at + 4]);
+    u32::from_le_bytes(bytes)
+}
+
+fn read_bodies(entries: &[BodyEntry], mut sections: Reader) -> Result<Vec<Body>, BankError> {
+    let all = sections.0.len();
+    let mut bodies = Vec::with_capacity(entries.len());
+    for entry in entries {
+        let place = format!("key {}", entry.key);
+        let offset = (all - sections.0.len()) as u64;
+        if entry.offset != offset {
+            let allowed = "the end of the section before";
+            return Err(BankError::inconsistent("offset", entry.offset, allowed).within(place));
+        }
+        bodies.push(read_body(entry, &mut sections).map_err(|error| error.within(place))?);
+    }
+    if !sections.0.is_empty() {
+        let left = format!("{} bytes longer than the bodies", sections.0.len());
+        return Err(BankError::inconsistent(
+            "length",
+            left,
+            "that of the bodies",
+        ));
+    }
+    Ok(bodies)
+}
+
+fn read_body(entry: &BodyEntry, sections: &mut Reader) -> Result<Body, BankError> {
+    let mut arrays = sections.counted("points", entry.points, POINT_LEN)?;
+    let points = arrays.0.len() / POINT_LEN as usize;
+    let line = StrikeLine {
+        points_m: arrays.vectors(points),
+        normals: arrays.vectors(points),
+    };
+    let mut arrays = sections.counted("modes", entry.modes, MODE_LEN)?;
+    let count = arrays.0.len() / MODE_LEN as usize;
+    let mut modes: Vec<Mode> = Vec::with_capacity(count);
+    let [hz, coupling, residual] = [(); 3].map(|()| arrays.f64s(count));
+    let (labels, components) = arrays.0.split_at(6 * count);
+    for i in 0..count {
+        let label = label(&labels[6 * i..6 * i + 6]);
+        modes.push(Mode {
+            hz: hz[i],
+            coupling: coupling[i],
+            residual: residual[i],
+            label: label.map_err(|error| error.within(format!("mode {}", i + 1)))?,
+            shape: Vec::new(),
+        });
+    }
+    for (i, (mode, &bits)) in modes.iter_mut().zip(components).enumerate() {
+        mode.shape = shape(bits, line.len(), sections)
+            .map_err(|error| error.within(format!("mode {}", i + 1)))?;
+    }
+    Ok(Body {
+        key: entry.key,
+        pitch_hz: entry.pitch_hz,
+        length_m: entry.length_m,
+        mass_kg: entry.mass_kg,
+        line,
+        modes,
+    })
+}
+
+fn label(bytes: &[u8]) -> Result<ModeLabel, BankError> {
+    let u16_at = |at: usize| u16::from_le_bytes([bytes[at], bytes[at + 1]]);
+    let [family, member] = [bytes[0], bytes[1]];
+    Ok(ModeLabel {
+        family: *FAMILIES
+            .get(usize::from(family))
+            .ok_or_else(|| BankError::inconsistent("family", family, "0 to 4"))?,
+        order: u16_at(2),
+        index: u16_at(4),
+        member: *MEMBERS
+            .get(usize::from(member))
+            .ok_or_else(|| BankError::inconsistent("member", member, "0 to 2"))?,
+    })
+}
+
+fn shape(bits: u8, points: usize, sections: &mut Reader) -> Result<Vec<[f32; 3]>, BankError> {
+    if !(1..=7).contains(&bits) {
+        return Err(BankError::inconsistent("components", bits, "1 to 7"));
+    }
+    let stored = u64::from(bits.count_ones());
+    let mut values = sections.counted("shape", stored * points as u64, 4)?;
+    let mut shape = vec![[0.0; 3]; points];
+    for c in (0..3).filter(|c| bits & (1 << c) != 0) {
+        let bytes = values.0.split_off(..4 * points).unwrap_or_default();
+        for (phi, value) in shape.iter_mut().zip(bytes.as_chunks().0) {
+            phi[c] = f32::from_le_bytes(*value);
+        }
+    }
+    Ok(shape)
+}
+
+/// The bytes not yet read.
+struct Reader<'a>(&'a [u8]);
+
+impl<'a> Reader<'a> {
+    /// The next `len` bytes, which hold `field`.
+    fn slice(&mut self, field: &str, len: u64) -> Result<&'a [u8], BankError> {
+        let slice = usize::try_from(len)
+            .ok()
+            .and_then(|len| self.0.split_off(..len));
+        slice.ok_or_else(|| {
+            BankError::inconsistent(field, format!("{len} bytes"), "no more than the file holds")
+        })
+    }
+
+    fn take<const N: usize>(&mut self, field: &str) -> Result<[u8; N], BankError> {
+        let mut bytes = [0; N];
+        bytes.copy_from_slice(self.slice(field, N as u64)?);
+        Ok(bytes)
+    }
+
+    /// The next `count` elements of `len` bytes each, once it is known that they are there.
+    fn counted(&mut self, field: &str, count: u64, len: u64) -> Result<Self, BankError> {
+        match count.checked_mul(len) {
+            Some(bytes) => self.slice(field, bytes).map(Self),
+            None => Err(BankError::inconsistent(
+                field,
+                count,
+                "no more than the file holds",
+            )),
+        }
+    }
+
+    /// The next `count` numbers, of which as many are read as are there.
+    fn f64s(&mut self, count: usize) -> Vec<f64> {
+        let bytes = self.0.split_off(..8 * count).unwrap_or_default();
+        let numbers = bytes.as_chunks().0.iter();
+        numbers.map(|&bytes| f64::from_le_bytes(bytes)).collect()
+    }
+
+    fn vectors(&mut self, count: usize) -> Vec<[f64; 3]> {
+        self.f64s(3 * count).as_chunks().0.to_vec()
+    }
+}

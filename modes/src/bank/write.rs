@@ -1,0 +1,122 @@
+//! A bank to bytes.
+
+use super::format::{
+    BodyEntry, CHECKSUM_AT, FORMAT, Header, MAGIC, MODE_LEN, POINT_LEN, PRELUDE_LEN, VERSION,
+    checksum, described_arrays, family_number, member_number,
+};
+use super::{Bank, Body, Mode};
+use crate::{Material, Provenance, Rayleigh};
+
+impl Bank {
+    /// The bank as the content of a file. Equal banks give equal bytes.
+    ///
+    /// A bank that [`Bank::check`] refuses gives bytes that [`Bank::read`] refuses.
+    ///
+    /// # Panics
+    ///
+    /// If the header exceeds 4 GiB.
+    #[must_use]
+    pub fn write(&self) -> Vec<u8> {
+        let header = serde_json::to_vec(&self.header()).expect("a header is plain data");
+        let header_len = u32::try_from(header.len()).expect("a header is far shorter than 4 GiB");
+        let mut file = Vec::with_capacity(PRELUDE_LEN + 4 + header.len());
+        file.extend(MAGIC);
+        file.extend(VERSION.to_le_bytes());
+        file.extend([0; PRELUDE_LEN - 12]);
+        file.extend(header_len.to_le_bytes());
+        file.extend(header);
+        for body in &self.bodies {
+            write_body(body, &mut file);
+        }
+        let len = file.len() as u64;
+        file[12..CHECKSUM_AT].copy_from_slice(&len.to_le_bytes());
+        let checksum = checksum(&file).to_le_bytes();
+        file[CHECKSUM_AT..PRELUDE_LEN].copy_from_slice(&checksum);
+        file
+    }
+
+    fn header(&self) -> Header {
+        let mut offset = 0;
+        let mut bodies = Vec::with_capacity(self.bodies.len());
+        for body in &self.bodies {
+            bodies.push(BodyEntry {
+                key: body.key,
+                pitch_hz: plain(body.pitch_hz),
+                length_m: plain(body.length_m),
+                mass_kg: plain(body.mass_kg),
+                modes: body.modes.len() as u64,
+                points: body.line.len() as u64,
+                offset,
+            });
+            offset += section_len(body);
+        }
+        Header {
+            format: FORMAT.to_owned(),
+            name: self.name.clone(),
+            material: Material {
+                lambda_pa: plain(self.material.lambda_pa),
+                mu_pa: plain(self.material.mu_pa),
+                density_kg_m3: plain(self.material.density_kg_m3),
+            },
+            damping: Rayleigh {
+                alpha1_s: plain(self.damping.alpha1_s),
+                alpha2_per_s: plain(self.damping.alpha2_per_s),
+            },
+            provenance: Provenance {
+                tolerance_cents: plain(self.provenance.tolerance_cents),
+                max_residual: plain(self.provenance.max_residual),
+                max_orthonormality_error: plain(self.provenance.max_orthonormality_error),
+                ..self.provenance.clone()
+            },
+            bodies,
+            arrays: described_arrays(),
+        }
+    }
+}
+
+/// −0 becomes 0, because the two are equal but their bytes are not.
+fn plain(x: f64) -> f64 {
+    x + 0.0
+}
+
+fn section_len(body: &Body) -> u64 {
+    let stored: u64 = body
+        .modes
+        .iter()
+        .map(|mode| u64::from(components(mode).count_ones()))
+        .sum();
+    let points = body.line.len() as u64;
+    POINT_LEN * points + MODE_LEN * body.modes.len() as u64 + 4 * points * stored
+}
+
+/// Bits of the shape's components that are not zero at every point; at least one, so that the
+/// bytes of a file bound what reading it takes.
+fn components(mode: &Mode) -> u8 {
+    let stored = |c: usize| mode.shape.iter().any(|phi| phi[c] != 0.0);
+    let bits = u8::from(stored(0)) | u8::from(stored(1)) << 1 | u8::from(stored(2)) << 2;
+    bits.max(1)
+}
+
+fn write_body(body: &Body, file: &mut Vec<u8>) {
+    let f64s = |file: &mut Vec<u8>, x: f64| file.extend(plain(x).to_le_bytes());
+    for vectors in [&body.line.points_m, &body.line.normals] {
+        vectors.iter().flatten().for_each(|&x| f64s(file, x));
+    }
+    body.modes.iter().for_each(|mode| f64s(file, mode.hz));
+    body.modes.iter().for_each(|mode| f64s(file, mode.coupling));
+    body.modes.iter().for_each(|mode| f64s(file, mode.residual));
+    for label in body.modes.iter().map(|mode| mode.label) {
+        file.extend([family_number(label.family), member_number(label.member)]);
+        file.extend(label.order.to_le_bytes());
+        file.extend(label.index.to_le_bytes());
+    }
+    file.extend(body.modes.iter().map(components));
+    for mode in &body.modes {
+        let bits = components(mode);
+        for c in (0..3).filter(|c| bits & (1 << c) != 0) {
+            for phi in &mode.shape {
+                file.extend((phi[c] + 0.0).to_le_bytes());
+            }
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! Nodes and the elements that join them.
+
+mod surface;
+mod tube;
+
+pub use tube::{TubeGrid, tube_hex20, tube_tet4};
+
+/// A volume mesh of one kind of element.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// Node coordinates, in m.
+    pub nodes: Vec<[f64; 3]>,
+    /// The elements.
+    pub elements: Elements,
+}
+
+/// Node numbers of each element.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Elements {
+    /// Four-node linear tetrahedra, positively oriented.
+    Tet4(Vec<[u32; 4]>),
+    /// Twenty-node serendipity hexahedra; local order as in [`crate::fem::HEX20_NODES`].
+    Hex20(Vec<[u32; 20]>),
+}
+
+impl Elements {
+    /// The node numbers of every element in turn.
+    pub fn iter(&self) -> Box<dyn Iterator<Item = &[u32]> + '_> {
+        match self {
+            Self::Tet4(elements) => Box::new(elements.iter().map(<[u32; 4]>::as_slice)),
+            Self::Hex20(elements) => Box::new(elements.iter().map(<[u32; 20]>::as_slice)),
+        }
+    }
+}

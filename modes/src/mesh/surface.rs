@@ -1,0 +1,121 @@
+//! The outside of a mesh.
+
+use super::{Elements, Mesh};
+use crate::fem::HEX20_NODES;
+use std::collections::HashMap;
+
+/// Faces of a tetrahedron, counter-clockwise from outside.
+const TET_FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+
+impl Mesh {
+    /// Triangles of the surface, counter-clockwise from outside. A hexahedron's face of eight nodes
+    /// gives six.
+    #[must_use]
+    pub fn surface(&self) -> Vec<[u32; 3]> {
+        let faces: Vec<Vec<u32>> = match &self.elements {
+            Elements::Tet4(tets) => tets
+                .iter()
+                .flat_map(|tet| TET_FACES.map(|face| face.map(|i| tet[i]).to_vec()))
+                .collect(),
+            Elements::Hex20(hexes) => {
+                let local = hex_faces();
+                hexes
+                    .iter()
+                    .flat_map(|hex| local.each_ref().map(|face| face.map(|i| hex[i]).to_vec()))
+                    .collect()
+            }
+        };
+        let sorted = |face: &[u32]| {
+            let mut nodes = face.to_vec();
+            nodes.sort_unstable();
+            nodes
+        };
+        let mut seen: HashMap<Vec<u32>, usize> = HashMap::new();
+        for face in &faces {
+            *seen.entry(sorted(face)).or_default() += 1;
+        }
+        faces
+            .iter()
+            .filter(|face| seen[&sorted(face)] == 1)
+            .flat_map(|face| match face[..] {
+                [p, q, r] => vec![[p, q, r]],
+                // Corners and edge middles in turn: one triangle to a corner, two in between.
+                _ => {
+                    let mut triangles: Vec<_> =
+                        (0..4).map(|i| [face[(2 * i + 7) % 8], face[2 * i], face[2 * i + 1]]).collect();
+                    triangles.push([face[1], face[3], face[5]]);
+                    triangles.push([face[1], face[5], face[7]]);
+                    triangles
+                }
+            })
+            .collect()
+    }
+}
+
+/// Local nodes of the six faces, corner, middle, corner, …, counter-clockwise from outside.
+fn hex_faces() -> [[usize; 8]; 6] {
+    const RING: [[f64; 2]; 8] = [
+        [-1.0, -1.0],
+        [0.0, -1.0],
+        [1.0, -1.0],
+        [1.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+        [-1.0, 1.0],
+        [-1.0, 0.0],
+    ];
+    std::array::from_fn(|face| {
+        let (axis, side) = (face / 2, if face % 2 == 0 { -1.0 } else { 1.0 });
+        let [p, q] = [(axis + 1) % 3, (axis + 2) % 3];
+        std::array::from_fn(|i| {
+            // Axis, p, q are right-handed: seen from the positive side p to q is counter-clockwise.
+            let [first, second] = RING[if side > 0.0 { i } else { (8 - i) % 8 }];
+            let mut node = [0.0; 3];
+            node[axis] = side;
+            node[p] = first;
+            node[q] = second;
+            HEX20_NODES
+                .iter()
+                .position(|&n| n == node)
+                .expect("every face node is a node")
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::mesh::{Mesh, TubeGrid, tube_hex20, tube_tet4};
+    use crate::shape::Tube;
+
+    fn volume_and_area(mesh: &Mesh) -> (f64, f64) {
+        let mut sums = (0.0, 0.0);
+        for triangle in mesh.surface() {
+            let [p, q, r] = triangle.map(|node| mesh.nodes[node as usize]);
+            let (u, v) = ([0, 1, 2].map(|a| q[a] - p[a]), [0, 1, 2].map(|a| r[a] - p[a]));
+            let cross = [
+                u[1] * v[2] - u[2] * v[1],
+                u[2] * v[0] - u[0] * v[2],
+                u[0] * v[1] - u[1] * v[0],
+            ];
+            sums.0 += (p[0] * cross[0] + p[1] * cross[1] + p[2] * cross[2]) / 6.0;
+            sums.1 += 0.5 * cross.iter().map(|c| c * c).sum::<f64>().sqrt();
+        }
+        sums
+    }
+
+    #[test]
+    fn surfaces_close_and_face_outwards() {
+        let tube = Tube::D5;
+        let grid = TubeGrid {
+            around: 64,
+            along: 4,
+        };
+        let walls = std::f64::consts::TAU * (tube.outer_radius_m + tube.inner_radius_m());
+        let area = walls * tube.length_m + 2.0 * tube.section_area_m2();
+        for mesh in [tube_tet4(&tube, grid), tube_hex20(&tube, grid)] {
+            let (v, a) = volume_and_area(&mesh);
+            assert!((v / tube.volume_m3() - 1.0).abs() < 2e-3, "{v}");
+            assert!((a / area - 1.0).abs() < 1e-3, "{a}");
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! What to build, as a text that people read and edit.
+
+mod check;
+mod error;
+mod raw;
+
+pub use error::{RecipeError, RecipeFileError};
+
+use crate::{Material, Rayleigh};
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// An instrument to be built. Every number is within its range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recipe {
+    /// Name of the instrument, fit for a file.
+    pub name: String,
+    /// The keys to build a body for.
+    pub keys: KeyRange,
+    /// How each body gets its pitch.
+    pub tuning: TuningRecipe,
+    /// The bodies' shape.
+    pub shape: ShapeRecipe,
+    /// What the bodies are made of.
+    pub material: Material,
+    /// Damping to start with.
+    pub damping: Rayleigh,
+    /// How finely the bodies are divided.
+    pub mesh: MeshRecipe,
+    /// The recipe word for word.
+    pub text: String,
+}
+
+/// MIDI keys from `low` to `high`, both included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct KeyRange {
+    /// Lowest key.
+    pub low: u8,
+    /// Highest key, no less than `low`.
+    pub high: u8,
+}
+
+/// How bodies get their pitch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TuningRecipe {
+    /// Pitch of key 69, in Hz.
+    pub a4_hz: f64,
+    /// The bending mode that carries the pitch, counted from 1.
+    pub partial: u16,
+    /// How far a body may be off its key, in cents.
+    pub tolerance_cents: f64,
+}
+
+/// A shape but for its length, which the pitch decides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ShapeRecipe {
+    /// A tube, free at both ends.
+    Tube {
+        /// Half the outer diameter, in m.
+        outer_radius_m: f64,
+        /// Thickness of the wall, in m, less than the radius.
+        wall_m: f64,
+    },
+}
+
+/// How finely bodies are divided.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeshRecipe {
+    /// Elements around the axis, an even number.
+    pub around: u16,
+    /// Longest element along the axis, in m.
+    pub max_element_m: f64,
+}
+
+impl KeyRange {
+    /// The keys, rising.
+    pub fn iter(self) -> impl ExactSizeIterator<Item = u8> + DoubleEndedIterator {
+        // Inclusive ranges do not know their length.
+        (u16::from(self.low)..u16::from(self.high) + 1).map(|key| key as u8)
+    }
+}
+
+impl Recipe {
+    /// The recipes that come with the crate: name and text.
+    pub const FACTORY: [(&str, &str); 1] = [("chimes", include_str!("../../recipes/chimes.toml"))];
+
+    /// The recipe that `text` gives. `file_name` is what errors call it.
+    ///
+    /// # Errors
+    ///
+    /// If the text is no TOML, has wrong fields, or a value is out of its range.
+    pub fn parse(text: &str, file_name: &str) -> Result<Self, RecipeError> {
+        raw::Raw::parse(text)
+            .and_then(|raw| raw.check(text))
+            .map_err(|fault| fault.into_error(file_name))
+    }
+
+    /// The recipe in the file at `path`.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read as UTF-8 text or [`Self::parse`] refuses it.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, RecipeFileError> {
+        let path = path.as_ref();
+        let text = read_text(path).map_err(|error| RecipeFileError::Read {
+            path: path.to_path_buf(),
+            error,
+        })?;
+        Ok(Self::parse(&text, &path.display().to_string())?)
+    }
+}
+
+/// Longest recipe, in bytes: whatever is longer was not written by hand.
+const MAX_LEN: u64 = 1 << 20;
+
+fn read_text(path: &Path) -> io::Result<String> {
+    let mut text = String::new();
+    let mut file = File::open(path)?.take(MAX_LEN + 1);
+    file.read_to_string(&mut text)?;
+    if file.limit() == 0 {
+        let message = "longer than 1 MiB; choose a recipe, a short TOML file";
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    }
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests;

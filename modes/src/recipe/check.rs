@@ -1,0 +1,180 @@
+//! The ranges of a recipe's fields.
+
+use super::error::Fault;
+use super::raw::{Raw, RawBody, RawDamping, RawKeys, RawMaterial, RawMesh, RawTuning};
+use super::{KeyRange, MeshRecipe, Recipe, ShapeRecipe, TuningRecipe};
+use crate::{Material, MaterialError, NamedMaterial, Rayleigh};
+use std::ops::RangeInclusive;
+
+impl Raw {
+    pub(super) fn check(self, text: &str) -> Result<Recipe, Fault> {
+        let (material, own_damping) = check_material(&self.material)?;
+        let damping = match (self.damping, own_damping) {
+            (Some(given), _) => check_damping(&given)?,
+            (None, Some(own)) => own,
+            (None, None) => {
+                let allowed = "given, with alpha1_s and alpha2_per_s, because a material \
+                               without a name has no damping of its own";
+                return Err(Fault::field("damping", "left out", allowed));
+            }
+        };
+        Ok(Recipe {
+            name: check_name(self.name)?,
+            keys: check_keys(&self.keys)?,
+            tuning: check_tuning(&self.tuning)?,
+            shape: check_body(&self.body)?,
+            material,
+            damping,
+            mesh: check_mesh(&self.mesh)?,
+            text: text.to_owned(),
+        })
+    }
+}
+
+fn check_name(name: String) -> Result<String, Fault> {
+    let fits = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_';
+    if (1..=64).contains(&name.len()) && name.chars().all(fits) {
+        return Ok(name);
+    }
+    let allowed = "1 to 64 small letters, digits, - and _, because it names a file";
+    Err(Fault::field("name", format!("{name:?}"), allowed))
+}
+
+fn check_keys(keys: &RawKeys) -> Result<KeyRange, Fault> {
+    let low = whole("keys.low", keys.low, 0..=127)? as u8;
+    let high = whole("keys.high", keys.high, 0..=127)? as u8;
+    if low > high {
+        let allowed = format!("no less than keys.low = {low}");
+        return Err(Fault::field("keys.high", high, allowed));
+    }
+    Ok(KeyRange { low, high })
+}
+
+fn check_tuning(tuning: &RawTuning) -> Result<TuningRecipe, Fault> {
+    Ok(TuningRecipe {
+        a4_hz: within("tuning.a4_hz", tuning.a4_hz, 300.0..=600.0)?,
+        partial: whole("tuning.partial", tuning.partial, 1..=16)?,
+        tolerance_cents: within(
+            "tuning.tolerance_cents",
+            tuning.tolerance_cents,
+            0.001..=50.0,
+        )?,
+    })
+}
+
+fn check_body(body: &RawBody) -> Result<ShapeRecipe, Fault> {
+    if body.shape != "tube" {
+        let value = format!("{:?}", body.shape);
+        return Err(Fault::field("body.shape", value, "\"tube\""));
+    }
+    let outer_radius_m = body.outer_radius_m;
+    if !(outer_radius_m > 0.0 && outer_radius_m <= 1.0) {
+        let allowed = "above 0 and at most 1";
+        return Err(Fault::field("body.outer_radius_m", outer_radius_m, allowed));
+    }
+    let wall_m = body.wall_m;
+    if !(wall_m > 0.0 && wall_m < outer_radius_m) {
+        let allowed = format!("above 0 and below body.outer_radius_m = {outer_radius_m}");
+        return Err(Fault::field("body.wall_m", wall_m, allowed));
+    }
+    Ok(ShapeRecipe::Tube {
+        outer_radius_m,
+        wall_m,
+    })
+}
+
+/// The material, and the damping that belongs to its name.
+fn check_material(raw: &RawMaterial) -> Result<(Material, Option<Rayleigh>), Fault> {
+    match *raw {
+        RawMaterial {
+            name: Some(ref name),
+            lambda_pa: None,
+            mu_pa: None,
+            young_pa: None,
+            poisson: None,
+            density_kg_m3: None,
+        } => {
+            let found = NamedMaterial::find(name).map_err(|unknown| {
+                let allowed = format!("a known one ({unknown})");
+                Fault::field("material.name", format!("{name:?}"), allowed)
+            })?;
+            Ok((found.material, Some(found.damping)))
+        }
+        RawMaterial {
+            name: None,
+            lambda_pa: Some(lambda),
+            mu_pa: Some(mu),
+            young_pa: None,
+            poisson: None,
+            density_kg_m3: Some(density),
+        } => material(Material::from_lame(lambda, mu, density)),
+        RawMaterial {
+            name: None,
+            lambda_pa: None,
+            mu_pa: None,
+            young_pa: Some(young),
+            poisson: Some(poisson),
+            density_kg_m3: Some(density),
+        } => material(Material::from_young(young, poisson, density)),
+        _ => Err(Fault::field(
+            "material",
+            "not told in one way",
+            "name alone; or lambda_pa, mu_pa and density_kg_m3; or young_pa, poisson and \
+             density_kg_m3",
+        )),
+    }
+}
+
+fn material(
+    result: Result<Material, MaterialError>,
+) -> Result<(Material, Option<Rayleigh>), Fault> {
+    let (field, value, allowed) = match result {
+        Ok(material) => return Ok((material, None)),
+        Err(MaterialError::Young(e)) => ("material.young_pa", e, "finite and above 0"),
+        Err(MaterialError::Poisson(nu)) => ("material.poisson", nu, "above -1 and below 0.5"),
+        Err(MaterialError::Shear(mu)) => ("material.mu_pa", mu, "finite and above 0"),
+        Err(MaterialError::Lambda(lambda)) => (
+            "material.lambda_pa",
+            lambda,
+            "finite and above -2/3 of material.mu_pa",
+        ),
+        Err(MaterialError::Density(rho)) => ("material.density_kg_m3", rho, "finite and above 0"),
+    };
+    Err(Fault::field(field, value, allowed))
+}
+
+fn check_damping(damping: &RawDamping) -> Result<Rayleigh, Fault> {
+    Ok(Rayleigh {
+        alpha1_s: within("damping.alpha1_s", damping.alpha1_s, 0.0..=1e-3)?,
+        alpha2_per_s: within("damping.alpha2_per_s", damping.alpha2_per_s, 0.0..=1e4)?,
+    })
+}
+
+fn check_mesh(mesh: &RawMesh) -> Result<MeshRecipe, Fault> {
+    if !(8..=512).contains(&mesh.around) || mesh.around % 2 != 0 {
+        let allowed = "an even number from 8 to 512";
+        return Err(Fault::field("mesh.around", mesh.around, allowed));
+    }
+    Ok(MeshRecipe {
+        around: whole("mesh.around", mesh.around, 8..=512)?,
+        max_element_m: within("mesh.max_element_m", mesh.max_element_m, 0.0005..=0.1)?,
+    })
+}
+
+fn within(field: &'static str, x: f64, range: RangeInclusive<f64>) -> Result<f64, Fault> {
+    if range.contains(&x) {
+        return Ok(x);
+    }
+    let allowed = format!("{} to {}", range.start(), range.end());
+    Err(Fault::field(field, x, allowed))
+}
+
+fn whole(field: &'static str, x: i64, range: RangeInclusive<u16>) -> Result<u16, Fault> {
+    u16::try_from(x)
+        .ok()
+        .filter(|x| range.contains(x))
+        .ok_or_else(|| {
+            let allowed = format!("a whole number from {} to {}", range.start(), range.end());
+            Fault::field(field, x, allowed)
+        })
+}

@@ -1,0 +1,105 @@
+//! A recipe as TOML has it: any numbers, some fields left out.
+
+use super::error::Fault;
+use serde::Deserialize;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Raw {
+    pub(super) name: String,
+    pub(super) keys: RawKeys,
+    pub(super) tuning: RawTuning,
+    pub(super) body: RawBody,
+    pub(super) material: RawMaterial,
+    pub(super) damping: Option<RawDamping>,
+    pub(super) mesh: RawMesh,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawKeys {
+    pub(super) low: i64,
+    pub(super) high: i64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawTuning {
+    pub(super) a4_hz: f64,
+    pub(super) partial: i64,
+    pub(super) tolerance_cents: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawBody {
+    pub(super) shape: String,
+    pub(super) outer_radius_m: f64,
+    pub(super) wall_m: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawMaterial {
+    pub(super) name: Option<String>,
+    pub(super) lambda_pa: Option<f64>,
+    pub(super) mu_pa: Option<f64>,
+    pub(super) young_pa: Option<f64>,
+    pub(super) poisson: Option<f64>,
+    pub(super) density_kg_m3: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawDamping {
+    pub(super) alpha1_s: f64,
+    pub(super) alpha2_per_s: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawMesh {
+    pub(super) around: i64,
+    pub(super) max_element_m: f64,
+}
+
+impl Raw {
+    pub(super) fn parse(text: &str) -> Result<Self, Fault> {
+        toml::from_str(text).map_err(|error| {
+            let at = error.span().map_or(0, |span| span.start);
+            let (line, column) = place(text, at);
+            Fault::Syntax {
+                line,
+                column,
+                message: error
+                    .message()
+                    .split_whitespace()
+                    .collect::<Vec<_>>()
+                    .join(" "),
+            }
+        })
+    }
+}
+
+/// Line and column of the byte `at`, both counted from 1.
+fn place(text: &str, at: usize) -> (usize, usize) {
+    let before = text.get(..at).unwrap_or(text);
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = before.matches('\n').count() + 1;
+    (line, before[line_start..].chars().count() + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::place;
+
+    #[test]
+    fn places_count_from_one_and_in_characters() {
+        let text = "é = 1\nß = ?\n";
+        assert_eq!(place(text, 0), (1, 1));
+        assert_eq!(place(text, text.find('=').unwrap()), (1, 3));
+        assert_eq!(place(text, text.find('?').unwrap()), (2, 5));
+        assert_eq!(place(text, text.len()), (3, 1));
+        assert_eq!(place(text, text.len() + 9), (3, 1));
+    }
+}

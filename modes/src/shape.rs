@@ -1,0 +1,5 @@
+//! The shapes that bodies are made in.
+
+mod tube;
+
+pub use tube::Tube;

@@ -1,0 +1,241 @@
+//! All modes of a band: solved, counted, checked.
+
+use super::SolveError;
+use super::block::{add_product, inner};
+use super::dense;
+use super::factor::{Cholesky, Symbolic};
+use super::lanczos::Lanczos;
+use crate::fem::Pencil;
+use std::f64::consts::TAU;
+
+/// Undamped frequencies to look for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Band {
+    /// Lowest, in Hz.
+    pub low_hz: f64,
+    /// Highest, in Hz.
+    pub high_hz: f64,
+}
+
+impl Band {
+    /// What people hear.
+    pub const AUDIBLE: Self = Self {
+        low_hz: 20.0,
+        high_hz: 20_000.0,
+    };
+}
+
+/// One solution of Kφ = λMφ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Eigenmode {
+    /// √λ / 2π, in Hz.
+    pub hz: f64,
+    /// ‖Kφ − λMφ‖ / ‖Kφ‖.
+    pub residual: f64,
+    /// φ, mass-normalised, in kg^(−1/2).
+    pub vector: Vec<f64>,
+}
+
+/// How a pencil was solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solver {
+    /// All eigenvalues, by dense reduction.
+    Dense,
+    /// Shift-invert block Lanczos with a subspace of so many vectors.
+    Lanczos {
+        /// Vectors in the subspace.
+        subspace: usize,
+    },
+}
+
+/// All modes of a band.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// The modes, by rising frequency.
+    pub modes: Vec<Eigenmode>,
+    /// Eigenvalues below the band's upper end by the inertia of K − λM, rigid motions included;
+    /// as many were found.
+    pub counted: usize,
+    /// Largest entry of |ΦᵀMΦ − I| over all of them.
+    pub orthonormality: f64,
+    /// How it was done.
+    pub solver: Solver,
+}
+
+/// Pencils of fewer unknowns than this are solved densely.
+const DENSE_BELOW: usize = 300;
+
+/// Vectors multiplied at once.
+const BLOCK: usize = 4;
+
+/// Largest residual of the inverse operator that counts as converged, relative to its eigenvalue.
+const TOLERANCE: f64 = 1e-9;
+
+/// Shift below the spectrum, as the frequency whose −ω² it is: near the lowest modes, yet far enough
+/// from the rigid motions for K − σM to be well conditioned.
+const SHIFT_HZ: f64 = 200.0;
+
+/// An eigenvalue is a rigid motion's if its frequency is below this.
+const RIGID_HZ: f64 = 1.0;
+
+/// Every mode of `pencil` in `band`; none is missed: their number is checked against the inertia of
+/// K − λM at the band's upper end.
+///
+/// # Errors
+///
+/// [`SolveError::NotConverged`], [`SolveError::Indefinite`], or [`SolveError::RigidMotions`] if the
+/// number of near-zero eigenvalues is not the pencil's.
+pub fn modes_in_band(pencil: &Pencil, band: Band) -> Result<Solution, SolveError> {
+    let top = (TAU * band.high_hz).powi(2);
+    if pencil.unknowns() < DENSE_BELOW {
+        let (values, vectors) = dense::generalised(pencil)?;
+        let counted = values.partition_point(|&value| value < top);
+        let vectors = &vectors[..counted * pencil.unknowns()];
+        return finish(pencil, band, &values[..counted], vectors, Solver::Dense);
+    }
+    let symbolic = Symbolic::new(pencil);
+    let counted = symbolic.count_below(pencil, top);
+    let shift = -(TAU * SHIFT_HZ).powi(2);
+    let factor = symbolic.cholesky(pencil, shift)?;
+    let mut lanczos = Lanczos::new(pencil, &factor, shift, BLOCK);
+    let largest = (4 * counted + 60).min(pencil.unknowns());
+    loop {
+        lanczos.expand();
+        let size = lanczos.size();
+        // Fewer vectors than modes cannot do; then a look every few blocks is cheap enough.
+        if size < counted + 2 * BLOCK || !(size / BLOCK).is_multiple_of(4) {
+            continue;
+        }
+        let ritz = lanczos.ritz();
+        let converged = ritz
+            .pairs
+            .iter()
+            .take_while(|pair| pair.eigenvalue < top && pair.residual < TOLERANCE)
+            .count();
+        if converged >= counted {
+            let vectors = lanczos.vectors(&ritz, counted);
+            let (values, vectors) = polish(pencil, &factor, shift, &vectors)?;
+            let solver = Solver::Lanczos { subspace: size };
+            return finish(pencil, band, &values, &vectors, solver);
+        }
+        if size + 4 * BLOCK > largest {
+            return Err(SolveError::NotConverged {
+                converged,
+                wanted: counted,
+                subspace: size,
+            });
+        }
+    }
+}
+
+/// One step of inverse subspace iteration with Rayleigh–Ritz (Parlett 1998, §14.3): cleans the
+/// vectors of the rough parts that the stiffness would magnify in their residuals.
+fn polish(
+    pencil: &Pencil,
+    factor: &Cholesky<'_>,
+    shift: f64,
+    vectors: &[f64],
+) -> Result<(Vec<f64>, Vec<f64>), SolveError> {
+    let n = pencil.unknowns();
+    let mut loads = vec![0.0; vectors.len()];
+    pencil.multiply(&pencil.mass, vectors, &mut loads);
+    let mut smooth = loads.clone();
+    factor.solve(&mut smooth);
+    let mut inertias = vec![0.0; vectors.len()];
+    pencil.multiply(&pencil.mass, &smooth, &mut inertias);
+    let mass = inner(&smooth, &inertias, n);
+    // (K − σM) applied to the smoothed vectors gives back the loads, without K's rounding.
+    let work = inner(&smooth, &loads, n);
+    let stiffness: Vec<f64> = work.iter().zip(&mass).map(|(w, m)| w + shift * m).collect();
+    let count = vectors.len() / n;
+    let (values, coefficients) = dense::reduced(&stiffness, &mass, count)?;
+    let mut polished = vec![0.0; vectors.len()];
+    add_product(&mut polished, &smooth, &coefficients, 1.0, n);
+    Ok((values, polished))
+}
+
+/// Frequency in Hz of the `index`th elastic mode of `pencil`, counted from 0 above the rigid motions.
+///
+/// # Errors
+///
+/// As [`modes_in_band`].
+pub fn lowest(pencil: &Pencil, index: usize) -> Result<f64, SolveError> {
+    let symbolic = Symbolic::new(pencil);
+    let shift = -(TAU * SHIFT_HZ).powi(2);
+    let factor = symbolic.cholesky(pencil, shift)?;
+    let mut lanczos = Lanczos::new(pencil, &factor, shift, 2);
+    let wanted = pencil.rigid + index + 1;
+    let largest = 4 * wanted + 60;
+    loop {
+        lanczos.expand();
+        let size = lanczos.size();
+        if size < wanted + 2 {
+            continue;
+        }
+        let ritz = lanczos.ritz();
+        if ritz.pairs.len() >= wanted && ritz.pairs[..wanted].iter().all(|p| p.residual < 1e-9) {
+            return Ok(ritz.pairs[wanted - 1].eigenvalue.max(0.0).sqrt() / TAU);
+        }
+        if size > largest {
+            let converged = ritz.pairs.iter().take_while(|p| p.residual < 1e-9).count();
+            return Err(SolveError::NotConverged {
+                converged,
+                wanted,
+                subspace: size,
+            });
+        }
+    }
+}
+
+/// Drops rigid motions and what lies below the band; measures residuals and orthonormality.
+fn finish(
+    pencil: &Pencil,
+    band: Band,
+    values: &[f64],
+    vectors: &[f64],
+    solver: Solver,
+) -> Result<Solution, SolveError> {
+    let n = pencil.unknowns();
+    let rigid_top = (TAU * RIGID_HZ).powi(2);
+    let found = values.partition_point(|&value| value < rigid_top);
+    if found != pencil.rigid {
+        return Err(SolveError::RigidMotions {
+            found,
+            expected: pencil.rigid,
+        });
+    }
+    let (mut forces, mut inertias) = (vec![0.0; vectors.len()], vec![0.0; vectors.len()]);
+    pencil.multiply(&pencil.stiffness, vectors, &mut forces);
+    pencil.multiply(&pencil.mass, vectors, &mut inertias);
+    let bottom = (TAU * band.low_hz).powi(2);
+    let modes = (0..values.len())
+        .filter(|&i| values[i] >= bottom.max(rigid_top))
+        .map(|i| {
+            let column = i * n..(i + 1) * n;
+            let pairs = forces[column.clone()].iter().zip(&inertias[column.clone()]);
+            let (error, force) = pairs.fold((0.0, 0.0), |(error, force), (k, m)| {
+                (error + (k - values[i] * m).powi(2), force + k * k)
+            });
+            Eigenmode {
+                hz: values[i].sqrt() / TAU,
+                residual: (error / force).sqrt(),
+                vector: vectors[column].to_vec(),
+            }
+        })
+        .collect();
+    let gram = inner(vectors, &inertias, n);
+    let orthonormality = gram
+        .iter()
+        .enumerate()
+        .map(|(at, &entry)| {
+            let expected = f64::from(u8::from(at % values.len() == at / values.len()));
+            (entry - expected).abs()
+        })
+        .fold(0.0, f64::max);
+    Ok(Solution {
+        modes,
+        counted: values.len(),
+        orthonormality,
+        solver,
+    })
+}

@@ -1,0 +1,36 @@
+//! What can go wrong between a mesh and its modes.
+
+/// Why no modes came out.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SolveError {
+    /// A mesh element has no volume or is inside out.
+    #[error("element {index} is flat or inside out; check the shape's dimensions")]
+    BadElement {
+        /// Number of the element.
+        index: usize,
+    },
+    /// K − σM is not positive definite although σ is negative.
+    #[error("the stiffness matrix is not positive semi-definite; check the material")]
+    Indefinite,
+    /// The eigen solver stopped short.
+    #[error("{converged} of {wanted} modes converged in a subspace of {subspace}")]
+    NotConverged {
+        /// Modes that met the tolerance.
+        converged: usize,
+        /// Modes that the inertia count says there are.
+        wanted: usize,
+        /// Vectors used.
+        subspace: usize,
+    },
+    /// The body is held where it should be free, or falls apart.
+    #[error("{found} rigid motions where a body of this kind has {expected}")]
+    RigidMotions {
+        /// Near-zero eigenvalues found.
+        found: usize,
+        /// Near-zero eigenvalues that belong.
+        expected: usize,
+    },
+    /// The caller asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+}

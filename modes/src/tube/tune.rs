@@ -1,0 +1,182 @@
+//! The length at which a tube's bending mode has a given pitch.
+
+use super::Fineness;
+use crate::analytic::TimoshenkoBeam;
+use crate::fem::CyclicTube;
+use crate::shape::Tube;
+use crate::solve::lowest;
+use crate::{Material, SolveError};
+
+/// What a tube is to be tuned to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TubeTuning {
+    /// Pitch, in Hz.
+    pub pitch_hz: f64,
+    /// The bending mode that carries it, counted from 1.
+    pub partial: usize,
+    /// How far it may be off, in cents.
+    pub tolerance_cents: f64,
+}
+
+/// Why a tube cannot be tuned.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TuneError {
+    /// No length in the range that is allowed has this pitch.
+    #[error(
+        "no tube {shortest_m:.3} m to {longest_m} m long has its bending mode at {pitch_hz:.2} Hz: \
+         they reach {low_hz:.1} Hz to {high_hz:.0} Hz"
+    )]
+    OutOfReach {
+        /// The pitch asked for, in Hz.
+        pitch_hz: f64,
+        /// Pitch of the longest tube, in Hz.
+        low_hz: f64,
+        /// Pitch of the shortest tube, in Hz.
+        high_hz: f64,
+        /// Shortest length tried, in m.
+        shortest_m: f64,
+        /// Longest length tried, in m.
+        longest_m: f64,
+    },
+    /// The search stopped short of the tolerance.
+    #[error("the tube's pitch stays {cents:.3} cents off {pitch_hz:.2} Hz")]
+    NotTuned {
+        /// The pitch asked for, in Hz.
+        pitch_hz: f64,
+        /// How far the best tube is off, in cents.
+        cents: f64,
+    },
+    /// The eigenproblem was not solved.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}
+
+/// Longest tube, in m.
+const LONGEST_M: f64 = 10.0;
+
+/// Shortest tube in outer diameters: shorter ones are rings, not beams.
+const SHORTEST_DIAMETERS: f64 = 2.0;
+
+/// The search goes on to this fraction of the tolerance, as long as it gets nearer.
+const MARGIN: f64 = 1e-3;
+
+/// Solves take this many steps at most; the secant needs three or four.
+const STEPS: usize = 12;
+
+/// `shape` with the length that tunes it; its own length does not matter.
+///
+/// A Timoshenko beam gives the first length; then ln f against ln L, nearly a line of slope −2, is
+/// followed by secants of finite-element solves for the one mode.
+///
+/// # Errors
+///
+/// [`TuneError::OutOfReach`] if no length does, [`TuneError::Solve`] if the solver fails.
+pub fn tune_tube(
+    shape: &Tube,
+    material: &Material,
+    fineness: Fineness,
+    tuning: &TubeTuning,
+) -> Result<Tube, TuneError> {
+    let cut = |length_m: f64| Tube { length_m, ..*shape };
+    let first = predicted_length_m(shape, material, tuning)?;
+    // The grid stays as it is through the search, so that the pitch is a smooth function.
+    let grid = fineness.grid(&cut(first));
+    let cents_off = |length_m: f64| -> Result<f64, SolveError> {
+        let pencil = CyclicTube::new(&cut(length_m), grid, material)?.pencil(1);
+        let hz = lowest(&pencil, tuning.partial - 1)?;
+        Ok(1200.0 * (hz / tuning.pitch_hz).log2())
+    };
+    let (mut x, mut slope) = (first.ln(), -2.0 * 1200.0 / std::f64::consts::LN_2);
+    let mut cents = cents_off(first)?;
+    for _ in 0..STEPS {
+        if cents.abs() < MARGIN * tuning.tolerance_cents {
+            break;
+        }
+        let next = x - cents / slope;
+        let next_cents = cents_off(next.exp())?;
+        if next_cents != cents {
+            slope = (next_cents - cents) / (next - x);
+        }
+        (x, cents) = (next, next_cents);
+    }
+    if cents.abs() <= tuning.tolerance_cents {
+        Ok(cut(x.exp()))
+    } else {
+        Err(TuneError::NotTuned {
+            pitch_hz: tuning.pitch_hz,
+            cents,
+        })
+    }
+}
+
+/// Length in m at which the beam that the tube nearly is has the pitch.
+fn predicted_length_m(
+    shape: &Tube,
+    material: &Material,
+    tuning: &TubeTuning,
+) -> Result<f64, TuneError> {
+    let hz = |length_m: f64| {
+        let tube = Tube { length_m, ..*shape };
+        TimoshenkoBeam::from_tube(&tube, material).free_free_hz(tuning.partial)[tuning.partial - 1]
+    };
+    // Higher partials need longer tubes to be bending at all.
+    let shortest_m = SHORTEST_DIAMETERS * 2.0 * shape.outer_radius_m * tuning.partial as f64;
+    let (mut short, mut long) = (shortest_m, LONGEST_M);
+    let (high_hz, low_hz) = (hz(short), hz(long));
+    if !(low_hz..=high_hz).contains(&tuning.pitch_hz) {
+        return Err(TuneError::OutOfReach {
+            pitch_hz: tuning.pitch_hz,
+            low_hz,
+            high_hz,
+            shortest_m,
+            longest_m: LONGEST_M,
+        });
+    }
+    while long / short > 1.0 + 1e-6 {
+        let middle = (short * long).sqrt();
+        if hz(middle) > tuning.pitch_hz {
+            short = middle;
+        } else {
+            long = middle;
+        }
+    }
+    Ok((short * long).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TABLE_1;
+
+    const COARSE: Fineness = Fineness {
+        around: 16,
+        max_element_m: 0.02,
+    };
+
+    fn tune(pitch_hz: f64, partial: usize) -> Result<Tube, TuneError> {
+        let tuning = TubeTuning {
+            pitch_hz,
+            partial,
+            tolerance_cents: 1.0,
+        };
+        tune_tube(&Tube::D5, &TABLE_1[0].material, COARSE, &tuning)
+    }
+
+    #[test]
+    fn the_tuned_tube_has_the_pitch() {
+        for (pitch_hz, partial) in [(110.0, 1), (587.33, 1), (2637.0, 1), (880.0, 4)] {
+            let tube = tune(pitch_hz, partial).unwrap();
+            let sector = CyclicTube::new(&tube, COARSE.grid(&tube), &TABLE_1[0].material).unwrap();
+            let hz = lowest(&sector.pencil(1), partial - 1).unwrap();
+            assert!((1200.0 * (hz / pitch_hz).log2()).abs() < 0.05, "{pitch_hz}: {hz}");
+        }
+    }
+
+    #[test]
+    fn a_pitch_out_of_reach_says_what_is_in_reach() {
+        for pitch_hz in [0.5, 19_000.0] {
+            let error = tune(pitch_hz, 1).unwrap_err();
+            assert!(matches!(error, TuneError::OutOfReach { .. }), "{error}");
+        }
+    }
+}
