@@ -1,10 +1,21 @@
 //! A bar on the terminal for what takes seconds.
 
-use crate::banks::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
+use modes::factory::Progress;
+use std::ops::ControlFlow;
+
+struct Bar(ProgressBar);
+
+impl Progress for Bar {
+    fn advance(&self, done: usize, total: usize) -> ControlFlow<()> {
+        self.0.set_length(total as u64);
+        self.0.set_position(done as u64);
+        ControlFlow::Continue(())
+    }
+}
 
 /// Does `work` under a bar that follows what it reports.
-pub(crate) fn with_bar<R>(name: &str, work: impl FnOnce(&(dyn Fn(Progress) + Sync)) -> R) -> R {
+pub(crate) fn with_bar<R>(name: &str, work: impl FnOnce(&dyn Progress) -> R) -> R {
     let bar = ProgressBar::new(0);
     if let Ok(style) =
         ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} bodies, {elapsed}, {eta} left")
@@ -12,10 +23,7 @@ pub(crate) fn with_bar<R>(name: &str, work: impl FnOnce(&(dyn Fn(Progress) + Syn
         bar.set_style(style);
     }
     bar.set_message(name.to_owned());
-    let done = work(&|progress| {
-        bar.set_length(progress.total as u64);
-        bar.set_position(progress.done as u64);
-    });
+    let done = work(&Bar(bar.clone()));
     bar.finish_and_clear();
     done
 }

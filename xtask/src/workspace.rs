@@ -35,6 +35,16 @@ pub fn target_dir() -> Result<PathBuf> {
     Ok(metadata.target_directory)
 }
 
+/// The folder of the recipes that come with the repository.
+pub(crate) fn recipes() -> PathBuf {
+    root().join("recipes")
+}
+
+/// The folder that keeps computed banks.
+pub(crate) fn banks() -> Result<PathBuf> {
+    Ok(target_dir()?.join("banks"))
+}
+
 /// The bundled CLAP plug-in, whether or not it is there.
 pub(crate) fn bundled_clap() -> Result<PathBuf> {
     Ok(target_dir()?.join("bundled").join("Idiophone.clap"))

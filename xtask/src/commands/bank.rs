@@ -1,8 +1,8 @@
 //! `bank`: what is in a bank.
 
+use crate::banks;
 use crate::table::Table;
-use crate::{banks, progress};
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Args;
 use modes::{Body, Mode, Rayleigh, t60_s};
 use serde::Serialize;
@@ -10,7 +10,7 @@ use serde::Serialize;
 /// Arguments of `bank`.
 #[derive(Args, Debug)]
 pub struct Bank {
-    /// Name of the bank
+    /// Name of the bank, or a recipe's file
     #[arg(value_name = "NAME")]
     pub name: String,
     /// Only the body of this MIDI key, with its modes
@@ -50,16 +50,13 @@ struct ModeJson {
 
 impl Bank {
     pub(super) fn run(&self) -> Result<()> {
-        let bank = progress::with_bar(&self.name, |report| {
-            banks::precompute(&self.name, false, report)
-        })?
-        .bank;
+        let bank = banks::precompute(&self.name, false)?.bank;
         print!("{}", self.text(&bank)?);
         Ok(())
     }
 
     fn text(&self, bank: &modes::Bank) -> Result<String> {
-        let body = self.key.map(|key| body(bank, key)).transpose()?;
+        let body = self.key.map(|key| banks::body(bank, key)).transpose()?;
         match (body, self.json) {
             (Some(body), true) => json(&KeyJson::new(body, bank.damping)),
             (Some(body), false) => Ok(modes_table(body, bank.damping)),
@@ -109,19 +106,6 @@ impl ModeJson {
             residual: mode.residual,
         }
     }
-}
-
-fn body(bank: &modes::Bank, key: u8) -> Result<&Body> {
-    let keys: Vec<_> = bank.bodies.iter().map(|body| body.key).collect();
-    let found = bank.bodies.iter().find(|body| body.key == key);
-    found.with_context(|| {
-        format!(
-            "--key {key}: not in the bank {}; allowed: {}…{}",
-            bank.name,
-            keys.first().copied().unwrap_or_default(),
-            keys.last().copied().unwrap_or_default()
-        )
-    })
 }
 
 fn json(value: &impl Serialize) -> Result<String> {
@@ -202,7 +186,7 @@ mod tests {
         };
         modes::Bank {
             name: "chimes".to_owned(),
-            material: Material::from_young(70e9, 0.33, 2700.0),
+            material: Material::from_young(70e9, 0.33, 2700.0).unwrap(),
             damping: Rayleigh {
                 alpha1_s: 0.0,
                 alpha2_per_s: 2.0,

@@ -24,7 +24,9 @@ impl Bundle {
 
 /// Builds the plug-in for release and bundles it.
 pub(super) fn bundle() -> Result<()> {
-    banks::precompute_missing()?;
+    for name in banks::names()? {
+        banks::precompute(&name, false)?;
+    }
     let target = workspace::target_dir()?;
     // Cargo and the bundler look for the workspace and its `bundler.toml` where they are run.
     let before = env::current_dir().context("no working directory")?;

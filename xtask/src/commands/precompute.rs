@@ -1,7 +1,6 @@
 //! `precompute`: the banks, from their recipes.
 
 use crate::banks::{self, Built};
-use crate::progress;
 use crate::table::Table;
 use anyhow::Result;
 use clap::Args;
@@ -9,7 +8,7 @@ use clap::Args;
 /// Arguments of `precompute`.
 #[derive(Args, Debug)]
 pub struct Precompute {
-    /// Only this bank
+    /// Only this bank, or the recipe in this file
     #[arg(value_name = "NAME")]
     pub name: Option<String>,
     /// Compute even what lies ready
@@ -21,13 +20,11 @@ impl Precompute {
     pub(super) fn run(&self) -> Result<()> {
         let names = match &self.name {
             Some(name) => vec![name.clone()],
-            None => banks::names(),
+            None => banks::names()?,
         };
         let mut table = Table::new(["bank", "keys", "modes", "worst residual", "seconds", "file"]);
         for name in names {
-            let built =
-                progress::with_bar(&name, |report| banks::precompute(&name, self.force, report))?;
-            table.push(row(&built));
+            table.push(row(&banks::precompute(&name, self.force)?));
         }
         print!("{}", table.text(false));
         Ok(())
@@ -41,12 +38,11 @@ fn row(built: &Built) -> [String; 6] {
         (Some(first), Some(last)) => format!("{}…{}", first.key, last.key),
         _ => "none".to_owned(),
     };
-    let worst = modes().map(|mode| mode.residual).fold(0.0, f64::max);
     [
         built.bank.name.clone(),
         keys,
         modes().count().to_string(),
-        format!("{worst:.1e}"),
+        format!("{:.1e}", built.bank.provenance.max_residual),
         built
             .seconds
             .map_or_else(|| "ready".to_owned(), |seconds| format!("{seconds:.1}")),
