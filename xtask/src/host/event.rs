@@ -2,9 +2,12 @@
 
 use super::ParamId;
 use clack_host::events::event_types::{
-    MidiEvent, NoteChokeEvent, NoteOffEvent, NoteOnEvent, ParamValueEvent,
+    MidiEvent, NoteChokeEvent, NoteOffEvent, NoteOnEvent, ParamValueEvent, TransportEvent,
+    TransportFlags,
 };
+use clack_host::events::{EventFlags, EventHeader};
 use clack_host::prelude::{EventBuffer, Pckn};
+use clack_host::utils::{BeatTime, SecondsTime};
 
 /// Something that happens to an instrument.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +43,15 @@ pub enum Event {
     },
     /// A raw MIDI message: controllers, pitch bend, pressure.
     Midi([u8; 3]),
+    /// The song starts, stops or jumps.
+    Transport {
+        /// Whether it plays.
+        playing: bool,
+        /// Quarter notes to the minute.
+        tempo_bpm: f64,
+        /// Where it is, in s.
+        seconds: f64,
+    },
     /// A parameter takes a value, on the plug-in's own scale.
     Param {
         /// Which parameter.
@@ -106,9 +118,39 @@ impl Event {
                 ),
             )),
             Self::Midi(bytes) => buffer.push(&MidiEvent::new(time, 0, bytes)),
+            Self::Transport {
+                playing,
+                tempo_bpm,
+                seconds,
+            } => buffer.push(&transport(time, playing, tempo_bpm, seconds)),
             Self::Param { id, value } => {
                 buffer.push(&ParamValueEvent::new(time, id.0, Pckn::match_all(), value));
             }
         }
+    }
+}
+
+fn transport(time: u32, playing: bool, tempo_bpm: f64, seconds: f64) -> TransportEvent {
+    let mut flags = TransportFlags::HAS_TEMPO
+        | TransportFlags::HAS_BEATS_TIMELINE
+        | TransportFlags::HAS_SECONDS_TIMELINE
+        | TransportFlags::HAS_TIME_SIGNATURE;
+    flags.set(TransportFlags::IS_PLAYING, playing);
+    let beats = seconds * tempo_bpm / 60.0;
+    TransportEvent {
+        header: EventHeader::new_core(time, EventFlags::empty()),
+        flags,
+        song_pos_beats: BeatTime::from_float(beats),
+        song_pos_seconds: SecondsTime::from_float(seconds),
+        tempo: tempo_bpm,
+        tempo_inc: 0.0,
+        loop_start_beats: BeatTime::from_float(0.0),
+        loop_end_beats: BeatTime::from_float(0.0),
+        loop_start_seconds: SecondsTime::from_float(0.0),
+        loop_end_seconds: SecondsTime::from_float(0.0),
+        bar_start: BeatTime::from_float(4.0 * (beats / 4.0).floor()),
+        bar_number: (beats / 4.0) as i32,
+        time_signature_numerator: 4,
+        time_signature_denominator: 4,
     }
 }
