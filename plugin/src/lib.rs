@@ -1,1 +1,3 @@
 //! The instrument.
+
+pub mod engine;
