@@ -185,8 +185,11 @@ impl Engine {
 
     /// New targets. What acts on strikes counts from the next one, the rest moves there in 15 ms.
     pub fn set(&mut self, settings: &Settings) {
-        self.settings = settings.sane();
-        self.glides.aim(&self.settings);
+        let settings = settings.sane();
+        if settings != self.settings {
+            self.settings = settings;
+            self.glides.aim(&self.settings);
+        }
     }
 
     /// Strikes a key's body with a velocity of 0…1, now. Whether there is such a body.

@@ -50,33 +50,35 @@ pub struct Settings {
 }
 
 impl Default for Settings {
-    /// A chime struck near its end with a hard mallet.
-    ///
-    /// At 3 % of the length each of a free tube's first six bending modes has at least 39 % of its
-    /// greatest motion; 22.4 %, where a tube hangs, is a node of the first.
     fn default() -> Self {
-        Self {
-            strike_position: 0.03,
-            velocity_to_position: 0.0,
-            position_scatter: 0.0,
-            hardness_pa: 1e9,
-            velocity_range_db: 40.0,
-            damping: Rayleigh {
-                alpha1_s: 1e-7,
-                alpha2_per_s: 0.0,
-            },
-            note_off_damps: false,
-            width: 0.5,
-            gain_db: 0.0,
-        }
+        Self::DEFAULT
     }
 }
 
 impl Settings {
+    /// A chime struck near its end with a hard mallet.
+    ///
+    /// At 3 % of the length each of a free tube's first six bending modes has at least 39 % of its
+    /// greatest motion; 22.4 %, where a tube hangs, is a node of the first.
+    pub const DEFAULT: Self = Self {
+        strike_position: 0.03,
+        velocity_to_position: 0.0,
+        position_scatter: 0.0,
+        hardness_pa: 1e9,
+        velocity_range_db: 40.0,
+        damping: Rayleigh {
+            alpha1_s: 1e-7,
+            alpha2_per_s: 0.0,
+        },
+        note_off_damps: false,
+        width: 0.5,
+        gain_db: 0.0,
+    };
+
     /// The same with every value inside its [`range`], and what is not a number at its default.
     #[must_use]
     pub fn sane(self) -> Self {
-        let normal = Self::default();
+        let normal = Self::DEFAULT;
         let within = |value: f64, range: std::ops::RangeInclusive<f64>, default: f64| {
             if value.is_nan() {
                 return default;
