@@ -15,7 +15,11 @@ use xtask::host::{Event, Library, Plugin};
 ///
 /// If there is none.
 pub fn library_file() -> Result<PathBuf> {
-    let name = format!("{}idiophone{}", env::consts::DLL_PREFIX, env::consts::DLL_SUFFIX);
+    let name = format!(
+        "{}idiophone{}",
+        env::consts::DLL_PREFIX,
+        env::consts::DLL_SUFFIX
+    );
     let test = env::current_exe()?;
     // Cargo leaves it with the dependencies, where the tests themselves lie, and above them.
     test.ancestors()
@@ -71,5 +75,7 @@ pub fn release(key: u8) -> Event {
 /// Greatest magnitude.
 #[must_use]
 pub fn peak(samples: &[f32]) -> f32 {
-    samples.iter().fold(0.0, |peak, sample| peak.max(sample.abs()))
+    samples
+        .iter()
+        .fold(0.0, |peak, sample| peak.max(sample.abs()))
 }

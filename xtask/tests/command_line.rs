@@ -1,5 +1,7 @@
 //! What the commands say to bad input: one line, what is wrong, what is allowed, nothing written.
 
+#![expect(clippy::unwrap_used, reason = "tests fail by panicking")]
+
 use std::path::Path;
 use std::process::Command;
 
@@ -45,7 +47,10 @@ fn render_refuses_numbers_out_of_range() {
             &[option[0], option[1], allowed],
         );
     }
-    assert_says(&["render", &song, path, "--rate", "fast"], &["--rate", "fast"]);
+    assert_says(
+        &["render", &song, path, "--rate", "fast"],
+        &["--rate", "fast"],
+    );
     assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
 }
 
@@ -58,7 +63,10 @@ fn render_refuses_what_is_no_song() {
     let out = dir.path().join("out.wav");
     let out = out.to_str().unwrap();
     assert_says(&["render", fake, out], &["fake.mid", "not a MIDI file"]);
-    assert_says(&["render", "missing.mid", out], &["missing.mid", "cannot read"]);
+    assert_says(
+        &["render", "missing.mid", out],
+        &["missing.mid", "cannot read"],
+    );
     assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
 }
 
@@ -67,7 +75,10 @@ fn render_refuses_a_place_it_cannot_write() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("missing/out.wav");
     let out = out.to_str().unwrap();
-    assert_says(&["render", &song(), out], &["missing/out.wav", "cannot write"]);
+    assert_says(
+        &["render", &song(), out],
+        &["missing/out.wav", "cannot write"],
+    );
     let folder = dir.path().to_str().unwrap();
     assert_says(&["render", &song(), folder], &["is a directory"]);
 }
@@ -89,7 +100,10 @@ fn render_refuses_what_is_no_plug_in() {
 fn banks_and_recipes_are_named_when_they_are_wrong() {
     assert_says(&["bank", "gong"], &["gong", "allowed", "chimes"]);
     assert_says(&["precompute", "gong"], &["gong", "allowed", "chimes"]);
-    assert_says(&["export", "gong", "--key", "74", "."], &["gong", "allowed"]);
+    assert_says(
+        &["export", "gong", "--key", "74", "."],
+        &["gong", "allowed"],
+    );
     assert_says(&["bank", "chimes", "--key", "900"], &["--key", "900"]);
     let dir = tempfile::tempdir().unwrap();
     let recipe = dir.path().join("thin.toml");

@@ -82,24 +82,39 @@ fn settings_are_read_as_shown_or_refused() {
             let setting = format!("{}={text}", param.name);
             let (id, read) = settings::setting(&mut plugin, &setting).unwrap();
             assert_eq!(id, param.id);
-            assert!((read - value).abs() < 5e-3 * (param.max - param.min), "{setting}");
+            assert!(
+                (read - value).abs() < 5e-3 * (param.max - param.min),
+                "{setting}"
+            );
         }
     }
     let says = |plugin: &mut Plugin, text: &str| {
         format!("{:#}", settings::setting(plugin, text).unwrap_err())
     };
     let unknown = says(&mut plugin, "Reverb=1");
-    assert!(params.iter().all(|param| unknown.contains(&param.name)), "{unknown}");
+    assert!(
+        params.iter().all(|param| unknown.contains(&param.name)),
+        "{unknown}"
+    );
     for (name, value) in [("Alpha 1", "-1 s"), ("Alpha 1", "1 s"), ("Alpha 1", "much")] {
         let param = settings::find(&params, name).unwrap();
         let error = says(&mut plugin, &format!("{name}={value}"));
         let least = plugin.text(param.id, param.min).unwrap();
         let greatest = plugin.text(param.id, param.max).unwrap();
-        assert!(error.contains(&least) && error.contains(&greatest), "{error}");
+        assert!(
+            error.contains(&least) && error.contains(&greatest),
+            "{error}"
+        );
         assert!(!error.contains('\n'), "{error}");
     }
     assert!(settings::automation(&mut plugin, "Alpha 2@0:1 1/s,0.5:2 1/s").is_ok());
-    for bad in ["Alpha 2@x:1", "Alpha 2@1", "Alpha 2@-1:1", "Alpha 2:1", "Alpha 2@0:-5"] {
+    for bad in [
+        "Alpha 2@x:1",
+        "Alpha 2@1",
+        "Alpha 2@-1:1",
+        "Alpha 2:1",
+        "Alpha 2@0:-5",
+    ] {
         assert!(settings::automation(&mut plugin, bad).is_err(), "{bad}");
     }
 }

@@ -20,7 +20,9 @@ fn bits(take: &Take) -> Vec<u32> {
 #[test]
 fn a_strike_sounds_from_its_frame_on() {
     let mut plugin = playing(48_000.0).unwrap();
-    let take = plugin.play(&[strike(74, 0.8).at(1000)], 48_000, 512).unwrap();
+    let take = plugin
+        .play(&[strike(74, 0.8).at(1000)], 48_000, 512)
+        .unwrap();
     for channel in [&take.left, &take.right] {
         assert_eq!(peak(&channel[..1000]), 0.0);
         assert!(peak(&channel[1000..2000]) > 1e-3);
@@ -34,7 +36,9 @@ fn harder_strikes_are_louder() {
     let mut last = 0.0;
     for velocity in [0.1, 0.4, 0.7, 1.0] {
         let mut plugin = playing(48_000.0).unwrap();
-        let take = plugin.play(&[strike(74, velocity).at(0)], 9600, 512).unwrap();
+        let take = plugin
+            .play(&[strike(74, velocity).at(0)], 9600, 512)
+            .unwrap();
         let now = peak(&take.left);
         assert!(now > last, "velocity {velocity}: {now} after {last}");
         last = now;
@@ -70,7 +74,12 @@ fn piece(plugin: &mut Plugin) -> Vec<TimedEvent> {
         release(50).at(7000),
         strike(93, 0.5).at(7000),
     ];
-    for (number, param) in plugin.params().iter().filter(|param| !param.hidden).enumerate() {
+    for (number, param) in plugin
+        .params()
+        .iter()
+        .filter(|param| !param.hidden)
+        .enumerate()
+    {
         for step in 0..4u64 {
             let value = param.default + 0.1 * step as f64 * (param.max - param.default);
             let value = if param.stepped { value.round() } else { value };
@@ -130,11 +139,22 @@ fn two_instances_keep_to_themselves() {
 #[test]
 fn an_instance_plays_at_one_rate_after_another() {
     let mut plugin = plugin().unwrap();
-    for (rate_hz, block) in [(44_100.0, 64), (192_000.0, 2048), (48_000.0, 1), (96_000.0, 333)] {
+    for (rate_hz, block) in [
+        (44_100.0, 64),
+        (192_000.0, 2048),
+        (48_000.0, 1),
+        (96_000.0, 333),
+    ] {
         plugin.activate(rate_hz, block).unwrap();
         let silent = plugin.play(&[], 1024, block as usize).unwrap();
-        assert_eq!(peak(&silent.left), 0.0, "nothing is left over at {rate_hz} Hz");
-        let take = plugin.play(&[strike(74, 0.8).at(0)], 4096, block as usize).unwrap();
+        assert_eq!(
+            peak(&silent.left),
+            0.0,
+            "nothing is left over at {rate_hz} Hz"
+        );
+        let take = plugin
+            .play(&[strike(74, 0.8).at(0)], 4096, block as usize)
+            .unwrap();
         assert!(peak(&take.left) > 1e-3, "{rate_hz} Hz");
         plugin.deactivate();
     }

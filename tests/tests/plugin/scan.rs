@@ -15,6 +15,12 @@ fn it_describes_itself() {
     assert!(plugin.features.iter().any(|f| f == "instrument"));
     assert!(plugin.features.iter().any(|f| f == "stereo"));
     assert!(!plugin.description.is_empty());
+    // CLAP's own features are plain words; all others need a namespace.
+    let own = ["instrument", "synthesizer", "stereo"];
+    let foreign = |f: &&String| !own.contains(&f.as_str());
+    for feature in plugin.features.iter().filter(foreign) {
+        assert!(feature.contains(':'), "{feature}");
+    }
 }
 
 #[test]

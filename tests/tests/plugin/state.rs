@@ -5,7 +5,10 @@ use xtask::host::Plugin;
 
 fn values(plugin: &mut Plugin) -> Vec<f64> {
     let params = plugin.params();
-    params.iter().map(|param| plugin.value(param.id).unwrap()).collect()
+    params
+        .iter()
+        .map(|param| plugin.value(param.id).unwrap())
+        .collect()
 }
 
 /// An instance with every parameter off its default, and its values.
@@ -56,7 +59,10 @@ fn a_state_sounds_as_it_did() {
     second.load(&state).unwrap();
     let sound = |plugin: &mut Plugin| {
         plugin.activate(48_000.0, 512).unwrap();
-        plugin.play(&[strike(74, 0.8).at(0)], 4800, 512).unwrap().left
+        plugin
+            .play(&[strike(74, 0.8).at(0)], 4800, 512)
+            .unwrap()
+            .left
     };
     assert_eq!(sound(&mut first), sound(&mut second));
 }
@@ -81,8 +87,8 @@ fn assert_sane(plugin: &mut Plugin, case: &str) {
 fn what_is_no_state_is_refused() {
     let (mut plugin, before) = changed();
     let state = plugin.save().unwrap();
-    let mut flipped = state.clone();
-    flipped[0] ^= 0x80;
+    let mut broken = state.clone();
+    broken[8] ^= 1;
     let mut huge = state.clone();
     huge[..8].fill(0xFF);
     let mut garbled = state.clone();
@@ -91,7 +97,7 @@ fn what_is_no_state_is_refused() {
     let cases: [(&str, &[u8]); 5] = [
         ("nothing", &[]),
         ("cut short", &state[..state.len() / 2]),
-        ("a flipped length", &flipped),
+        ("a flipped bit", &broken),
         ("a huge length", &huge),
         ("noise", &garbled),
     ];
@@ -108,7 +114,12 @@ fn values_out_of_range_and_missing_ones_are_healed() {
     let state = plugin.save().unwrap();
     let text = &state[8..];
     let json: serde_json::Value = serde_json::from_slice(text).unwrap();
-    let names: Vec<_> = json["params"].as_object().unwrap().keys().cloned().collect();
+    let names: Vec<_> = json["params"]
+        .as_object()
+        .unwrap()
+        .keys()
+        .cloned()
+        .collect();
     for number in [1e39, -1e39, -5.0, 1e30] {
         let mut json = json.clone();
         for name in &names {

@@ -69,7 +69,9 @@ fn a_storm_of_events_leaves_the_sound_finite() {
                     .map(|_| random(&mut noise, &params).at(noise.below(frames)))
                     .collect();
                 events.sort_by_key(|event| event.frame);
-                let take = audio.play(&events, frames as usize, BLOCK as usize).unwrap();
+                let take = audio
+                    .play(&events, frames as usize, BLOCK as usize)
+                    .unwrap();
                 loudest = loudest.max(peak(&take.left)).max(peak(&take.right));
                 sent += count;
             }
