@@ -1,1 +1,141 @@
-//! The instrument.
+//! An instrument that sounds struck objects from their modes of vibration.
+//!
+//! [`engine`] turns strikes into sound and knows no host; [`params`] names everything that can be
+//! automated; the rest is the shell that CLAP and VST3 hosts load.
+
+pub mod engine;
+pub mod factory;
+mod notes;
+pub mod params;
+mod player;
+
+use engine::Engine;
+use modes::Bank;
+use nice_plug::prelude::{
+    ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,
+    ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, ProcessContext, ProcessStatus,
+    RemoteControlsContext, RemoteControlsPage, RemoteControlsSection, Vst3Plugin, Vst3SubCategory,
+};
+use params::Controls;
+use player::Player;
+use std::sync::{Arc, OnceLock};
+
+/// The plug-in.
+#[derive(Default)]
+pub struct Idiophone {
+    controls: Arc<Controls>,
+    player: Option<Player>,
+}
+
+/// The factory bank, read once for all instances.
+fn bank() -> &'static Bank {
+    static BANK: OnceLock<Bank> = OnceLock::new();
+    BANK.get_or_init(factory::chimes)
+}
+
+impl Plugin for Idiophone {
+    const NAME: &'static str = "Idiophone";
+    const VENDOR: &'static str = "Idiophone";
+    const URL: &'static str = "";
+    const EMAIL: &'static str = "";
+    const VERSION: &'static str = env!("CARGO_PKG_VERSION");
+    const AUDIO_IO_LAYOUTS: &'static [AudioIOLayout] = &[AudioIOLayout {
+        main_input_channels: None,
+        main_output_channels: NonZeroU32::new(2),
+        ..AudioIOLayout::const_default()
+    }];
+    const MIDI_INPUT: MidiConfig = MidiConfig::MidiCCs;
+    const SAMPLE_ACCURATE_AUTOMATION: bool = true;
+
+    type Editor = ();
+    type SysExMessage = ();
+    type BackgroundTask = ();
+
+    fn params(&self) -> Arc<dyn Params> {
+        self.controls.clone()
+    }
+
+    fn filter_state(state: &mut PluginState) {
+        params::heal(state);
+    }
+
+    fn activate(
+        &mut self,
+        _layout: &AudioIOLayout,
+        buffer: &BufferConfig,
+        _context: &mut impl ActivateContext<Self>,
+    ) -> bool {
+        self.player = Some(Player::new(Engine::new(
+            bank(),
+            f64::from(buffer.sample_rate),
+        )));
+        true
+    }
+
+    fn reset(&mut self) {
+        if let Some(player) = &mut self.player {
+            player.reset();
+        }
+    }
+
+    fn process(
+        &mut self,
+        buffer: &mut Buffer<'_>,
+        _aux: &mut AuxiliaryBuffers<'_>,
+        context: &mut impl ProcessContext<Self>,
+    ) -> ProcessStatus {
+        let channels = buffer.as_slice();
+        let (Some(player), [left, right]) = (&mut self.player, &mut *channels) else {
+            for channel in channels {
+                channel.fill(0.0);
+            }
+            return ProcessStatus::Normal;
+        };
+        player.engine.set(&self.controls.settings());
+        player.play::<Self>(left, right, context);
+        if player.engine.awake() == 0 {
+            ProcessStatus::Normal
+        } else {
+            ProcessStatus::KeepAlive
+        }
+    }
+}
+
+impl ClapPlugin for Idiophone {
+    const CLAP_ID: &'static str = "org.idiophone.idiophone";
+    const CLAP_DESCRIPTION: Option<&'static str> =
+        Some("Chimes and other struck objects, sounded from their shape and material");
+    const CLAP_MANUAL_URL: Option<&'static str> = None;
+    const CLAP_SUPPORT_URL: Option<&'static str> = None;
+    const CLAP_FEATURES: &'static [ClapFeature] = &[
+        ClapFeature::Instrument,
+        ClapFeature::Synthesizer,
+        ClapFeature::Stereo,
+        ClapFeature::Custom("physical-modeling"),
+    ];
+
+    fn remote_controls(&self, context: &mut impl RemoteControlsContext) {
+        context.add_section("Chimes", |section| {
+            section.add_page("Strike and material", |page| {
+                let controls = &self.controls;
+                page.add_param(&controls.strike_position);
+                page.add_param(&controls.velocity_to_position);
+                page.add_param(&controls.position_scatter);
+                page.add_param(&controls.mallet_hardness);
+                page.add_param(&controls.alpha1);
+                page.add_param(&controls.alpha2);
+                page.add_param(&controls.note_off);
+                page.add_param(&controls.output_gain);
+            });
+        });
+    }
+}
+
+impl Vst3Plugin for Idiophone {
+    const VST3_CLASS_ID: [u8; 16] = *b"IdiophoneModal01";
+    const VST3_SUBCATEGORIES: &'static [Vst3SubCategory] =
+        &[Vst3SubCategory::Instrument, Vst3SubCategory::Synth];
+}
+
+nice_plug::nice_export_clap!(Idiophone);
+nice_plug::nice_export_vst3!(Idiophone);

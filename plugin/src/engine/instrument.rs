@@ -1,0 +1,396 @@
+//! A body for each key, and their mix.
+
+use super::body::Body;
+use super::contact::{Contact, slot_for_next};
+use super::damper::{Damper, bit};
+use super::glide::Glide;
+use super::level::full_scale;
+use super::listener::ears;
+use super::mallet::Mallet;
+use super::oscillators::Kernel;
+use super::touch::{Touch, chance};
+use super::{GRID, Settings};
+use modes::{Bank, Rayleigh, Stencil};
+
+/// No sample is ever beyond this, whatever is played: 36 dB over full scale. Below it the output is
+/// the sum of the modes, bit for bit.
+pub const OUTPUT_BOUND: f32 = 64.0;
+
+/// Mallets that can be on bodies at the same time.
+const CONTACTS: usize = 128;
+
+/// Time a moved parameter takes, in s.
+const GLIDE_S: f64 = 0.015;
+
+/// Sample rates there are coefficients for, in Hz.
+const RATES_HZ: (f64, f64) = (1e3, 768e3);
+
+/// An instrument that rings: strikes in, sound out.
+///
+/// Nothing but [`Engine::new`] allocates, and the output does not depend on how calls of
+/// [`Engine::process`] cut the time.
+pub struct Engine {
+    bodies: Vec<Option<Body>>,
+    /// Where each body stands in the row, 0…1.
+    places: Vec<f64>,
+    contacts: Vec<Contact>,
+    on_bodies: usize,
+    awake: u128,
+    damper: Damper,
+    settings: Settings,
+    glides: Glides,
+    kernel: Kernel,
+    step_s: f64,
+    position: u64,
+}
+
+/// Values that move slowly enough not to click.
+struct Glides {
+    alpha1_s: Glide,
+    alpha2_per_s: Glide,
+    width: Glide,
+    gain: Glide,
+}
+
+impl Glides {
+    fn new(settings: &Settings, steps: u32) -> Self {
+        Self {
+            alpha1_s: Glide::new(settings.damping.alpha1_s, steps),
+            alpha2_per_s: Glide::new(settings.damping.alpha2_per_s, steps),
+            width: Glide::new(settings.width, steps),
+            gain: Glide::new(decibels(settings.gain_db), steps),
+        }
+    }
+
+    fn each(&mut self) -> [&mut Glide; 4] {
+        [
+            &mut self.alpha1_s,
+            &mut self.alpha2_per_s,
+            &mut self.width,
+            &mut self.gain,
+        ]
+    }
+
+    fn aim(&mut self, settings: &Settings) {
+        self.alpha1_s.aim(settings.damping.alpha1_s);
+        self.alpha2_per_s.aim(settings.damping.alpha2_per_s);
+        self.width.aim(settings.width);
+        self.gain.aim(decibels(settings.gain_db));
+    }
+
+    fn damping(&self) -> Rayleigh {
+        Rayleigh {
+            alpha1_s: self.alpha1_s.value(),
+            alpha2_per_s: self.alpha2_per_s.value(),
+        }
+    }
+
+    fn ears(&self, place: f64) -> [f64; 2] {
+        ears(place, self.width.value()).map(|ear| ear * self.gain.value())
+    }
+}
+
+/// The factor of a level in dB.
+fn decibels(db: f64) -> f64 {
+    10f64.powf(db / 20.0)
+}
+
+/// The keys whose bits are set, from the lowest.
+fn keys(mut bits: u128) -> impl Iterator<Item = u8> {
+    std::iter::from_fn(move || {
+        let key = u8::try_from(bits.trailing_zeros())
+            .ok()
+            .filter(|k| *k < 128)?;
+        bits &= bits - 1;
+        Some(key)
+    })
+}
+
+/// A sample as the host gets it: bounded, and never a denormal.
+fn finish(sample: f64) -> f32 {
+    let bound = f64::from(OUTPUT_BOUND);
+    // `max` and `min` rather than `clamp`, because they turn NaN into a bound.
+    let sample = sample.max(-bound).min(bound);
+    if sample.abs() < 1e-30 {
+        return 0.0;
+    }
+    sample as f32
+}
+
+impl Engine {
+    /// An instrument from a bank, at rest, with default settings but the bank's damping.
+    ///
+    /// A rate outside 1 kHz…768 kHz is taken as the nearer of the two. Bodies without a strike line
+    /// of at least [`Stencil::POINTS`] points, or for no MIDI key, are left out.
+    #[must_use]
+    pub fn new(bank: &Bank, sample_rate_hz: f64) -> Self {
+        let step_s = 1.0 / sample_rate_hz.max(RATES_HZ.0).min(RATES_HZ.1);
+        let scale = full_scale(bank);
+        let mut bodies: Vec<Option<Body>> = vec![None; 128];
+        let mut places = vec![0.5; 128];
+        let usable: Vec<&modes::Body> = bank
+            .bodies
+            .iter()
+            .filter(|body| {
+                body.key < 128
+                    && body.line.len() >= Stencil::POINTS
+                    && body.line.normals.len() == body.line.len()
+                    && body.mass_kg > 0.0
+            })
+            .collect();
+        for (i, body) in usable.iter().enumerate() {
+            let key = usize::from(body.key);
+            bodies[key] = Some(Body::new(body, step_s, scale));
+            if usable.len() > 1 {
+                places[key] = i as f64 / (usable.len() - 1) as f64;
+            }
+        }
+        let most = bodies.iter().flatten().map(Body::modes).max().unwrap_or(0);
+        let settings = Settings {
+            damping: bank.damping,
+            ..Settings::default()
+        }
+        .sane();
+        #[expect(clippy::cast_sign_loss, reason = "both factors are positive")]
+        let steps = (GLIDE_S / (step_s * GRID as f64)).ceil() as u32;
+        Self {
+            bodies,
+            places,
+            contacts: vec![Contact::new(most); CONTACTS],
+            on_bodies: 0,
+            awake: 0,
+            damper: Damper::default(),
+            glides: Glides::new(&settings, steps),
+            settings,
+            kernel: Kernel::detect(),
+            step_s,
+            position: 0,
+        }
+    }
+
+    /// Back to silence and to the start of the song; settings stay.
+    pub fn reset(&mut self) {
+        for body in self.bodies.iter_mut().flatten() {
+            body.hush();
+        }
+        for contact in &mut self.contacts {
+            contact.key = None;
+        }
+        self.on_bodies = 0;
+        self.awake = 0;
+        self.damper = Damper::default();
+        self.position = 0;
+        self.arrive();
+    }
+
+    /// New targets. What acts on strikes counts from the next one, the rest moves there in 15 ms.
+    pub fn set(&mut self, settings: &Settings) {
+        let settings = settings.sane();
+        if settings != self.settings {
+            self.settings = settings;
+            self.glides.aim(&self.settings);
+        }
+    }
+
+    /// Strikes a key's body with a velocity of 0…1, now. Whether there is such a body.
+    pub fn strike(&mut self, key: u8, velocity: f32) -> bool {
+        if self.body(key).is_none() {
+            return false;
+        }
+        if self.awake == 0 {
+            self.arrive();
+        }
+        self.damper.press(key);
+        let touch = Touch::new(&self.settings, velocity, chance(key, self.position));
+        let mallet = Mallet::of_hardness(self.settings.hardness_pa);
+        let slot = self.vacate_slot();
+        let Some(body) = self.bodies[usize::from(key)].as_mut() else {
+            return false;
+        };
+        if self.awake & bit(key) == 0 {
+            self.awake |= bit(key);
+            body.tune(self.glides.damping(), 0.0);
+            body.ears = [self.glides.ears(self.places[usize::from(key)]); 2];
+        }
+        let contact = &mut self.contacts[slot];
+        contact.begin(key, mallet.pulse(body.mass_kg, touch.speed_m_s));
+        body.gains(touch.position, &mut contact.gain);
+        body.touched();
+        self.on_bodies += 1;
+        true
+    }
+
+    /// A key comes up; its body rings on unless the settings say that it is damped.
+    pub fn release(&mut self, key: u8) {
+        self.damper.release(key);
+    }
+
+    /// The sustain pedal holds released bodies undamped.
+    pub fn pedal(&mut self, down: bool) {
+        self.damper.pedal(down);
+    }
+
+    /// Silences a key's body within 0.2 s, without a click.
+    pub fn choke(&mut self, key: u8) {
+        self.damper.choke(bit(key));
+    }
+
+    /// Silences everything within 0.2 s, without a click.
+    pub fn choke_all(&mut self) {
+        self.damper.choke(u128::MAX);
+    }
+
+    /// The keys whose bodies sound, bit 0 for key 0.
+    #[must_use]
+    pub fn awake(&self) -> u128 {
+        self.awake
+    }
+
+    /// Renders as many samples as the shorter of the two slices holds.
+    pub fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
+        let frames = left.len().min(right.len());
+        let mut done = 0;
+        while done < frames {
+            let phase = (self.position % GRID as u64) as usize;
+            if phase == 0 {
+                self.look();
+            }
+            let run = (GRID - phase).min(frames - done);
+            self.render(
+                phase,
+                &mut left[done..done + run],
+                &mut right[done..done + run],
+            );
+            self.position += run as u64;
+            done += run;
+        }
+    }
+
+    fn body(&self, key: u8) -> Option<&Body> {
+        self.bodies.get(usize::from(key))?.as_ref()
+    }
+
+    /// Parameters that nobody hears move are there at once.
+    fn arrive(&mut self) {
+        for glide in self.glides.each() {
+            glide.snap();
+        }
+    }
+
+    /// A slot for a contact; if there is none, a mallet gives the rest of its impulse at once.
+    fn vacate_slot(&mut self) -> usize {
+        let slot = slot_for_next(&self.contacts);
+        let contact = &mut self.contacts[slot];
+        if let Some(key) = contact.key.take()
+            && let Some(body) = self.bodies[usize::from(key)].as_mut()
+        {
+            body.kick(&contact.gain, contact.left_n_s());
+            body.left();
+            self.on_bodies -= 1;
+        }
+        slot
+    }
+
+    /// What is looked at on the grid only.
+    fn look(&mut self) {
+        if self.awake == 0 {
+            self.arrive();
+            return;
+        }
+        for glide in self.glides.each() {
+            glide.advance();
+        }
+        self.lift_mallets();
+        let damping = self.glides.damping();
+        for key in keys(self.awake) {
+            let slot = usize::from(key);
+            let Some(body) = self.bodies[slot].as_mut() else {
+                continue;
+            };
+            body.tune(
+                damping,
+                self.damper.decay_per_s(key, self.settings.note_off_damps),
+            );
+            body.ears = [body.ears[1], self.glides.ears(self.places[slot])];
+            if !body.settle() {
+                body.hush();
+                self.awake &= !bit(key);
+            }
+        }
+    }
+
+    /// Frees the contacts that are over.
+    fn lift_mallets(&mut self) {
+        if self.on_bodies == 0 {
+            return;
+        }
+        for contact in &mut self.contacts {
+            if !contact.is_over(self.step_s) {
+                continue;
+            }
+            if let Some(key) = contact.key.take()
+                && let Some(body) = self.bodies[usize::from(key)].as_mut()
+            {
+                body.left();
+                self.on_bodies -= 1;
+            }
+        }
+    }
+
+    /// Renders a run within one cell of the grid, `phase` samples from its start.
+    fn render(&mut self, phase: usize, left: &mut [f32], right: &mut [f32]) {
+        if self.awake == 0 {
+            left.fill(0.0);
+            right.fill(0.0);
+            return;
+        }
+        let run = left.len();
+        if self.on_bodies > 0 {
+            for contact in self.contacts.iter_mut().filter(|c| c.key.is_some()) {
+                contact.prepare(run, self.step_s);
+            }
+        }
+        let mut mix = [[0.0; 2]; GRID];
+        let mut mono = [0.0; GRID];
+        for key in keys(self.awake) {
+            let Some(body) = self.bodies[usize::from(key)].as_mut() else {
+                continue;
+            };
+            body.ring(self.kernel, &self.contacts, key, &mut mono[..run]);
+            let [from, to] = body.ears;
+            for (n, (both, sample)) in mix.iter_mut().zip(&mono[..run]).enumerate() {
+                let share = (phase + n) as f64 / GRID as f64;
+                for ear in 0..2 {
+                    both[ear] += sample * (from[ear] + (to[ear] - from[ear]) * share);
+                }
+            }
+        }
+        for ((both, left), right) in mix.iter().zip(left).zip(right) {
+            *left = finish(both[0]);
+            *right = finish(both[1]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_come_from_low_to_high() {
+        assert_eq!(keys(0).count(), 0);
+        assert_eq!(
+            keys(bit(3) | bit(127) | bit(0)).collect::<Vec<_>>(),
+            [0, 3, 127]
+        );
+    }
+
+    #[test]
+    fn samples_are_bounded_and_never_denormal() {
+        assert_eq!(finish(1e9), OUTPUT_BOUND);
+        assert_eq!(finish(f64::NEG_INFINITY), -OUTPUT_BOUND);
+        assert!(finish(f64::NAN).is_finite());
+        assert_eq!(finish(1e-39), 0.0);
+        assert_eq!(finish(0.25), 0.25);
+    }
+}

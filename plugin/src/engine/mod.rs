@@ -1,0 +1,24 @@
+//! From a key to sound: strikes on bodies that ring until physics lets them stop.
+
+mod bessel;
+mod body;
+mod contact;
+mod damper;
+mod glide;
+mod instrument;
+mod level;
+mod listener;
+mod mallet;
+mod oscillators;
+mod pulse;
+mod rates;
+mod settings;
+mod touch;
+
+pub use instrument::{Engine, OUTPUT_BOUND};
+pub use settings::{Settings, range};
+
+/// Samples between two looks at the parameters, at what still sounds and at what has ended.
+///
+/// Counted from the last reset, so that no decision depends on how a host cuts its blocks.
+pub const GRID: usize = 32;

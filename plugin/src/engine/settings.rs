@@ -1,0 +1,147 @@
+//! What the player can change, as physical values.
+
+use modes::Rayleigh;
+
+/// Allowed ranges of [`Settings`]; the plug-in's parameters have the same.
+pub mod range {
+    use std::ops::RangeInclusive;
+
+    /// Strike position along the line, as a fraction of its length.
+    pub const STRIKE_POSITION: RangeInclusive<f64> = 0.0..=1.0;
+    /// Share of half the line that the velocity moves the strike.
+    pub const VELOCITY_TO_POSITION: RangeInclusive<f64> = -1.0..=1.0;
+    /// Share of half the line that chance moves the strike, either way.
+    pub const POSITION_SCATTER: RangeInclusive<f64> = 0.0..=1.0;
+    /// Effective contact modulus, in Pa: 1 MPa is soft yarn, 100 GPa brass.
+    pub const HARDNESS_PA: RangeInclusive<f64> = 1e6..=1e11;
+    /// Impact speed between the softest and the hardest touch, in dB.
+    pub const VELOCITY_RANGE_DB: RangeInclusive<f64> = 0.0..=60.0;
+    /// Stiffness-proportional damping, in s; O'Brien 2002, Table 1 has 1e-7 (metal) to 8e-6 (wood).
+    pub const ALPHA1_S: RangeInclusive<f64> = 0.0..=2e-5;
+    /// Mass-proportional damping, in 1/s; O'Brien 2002, Table 1 has 0 to 50.
+    pub const ALPHA2_PER_S: RangeInclusive<f64> = 0.0..=100.0;
+    /// Stereo width: 0 is mono, 1 puts the outermost bodies hard left and right.
+    pub const WIDTH: RangeInclusive<f64> = 0.0..=1.0;
+    /// Output gain, in dB.
+    pub const GAIN_DB: RangeInclusive<f64> = -60.0..=12.0;
+}
+
+/// Targets of everything that can be played with; the engine moves towards them without clicks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Where a strike lands on the line, 0…1.
+    pub strike_position: f64,
+    /// How far full velocity moves the strike, as a share of half the line.
+    pub velocity_to_position: f64,
+    /// How far chance moves the strike either way, as a share of half the line.
+    pub position_scatter: f64,
+    /// Effective contact modulus of mallet and body, in Pa.
+    pub hardness_pa: f64,
+    /// Impact speed between the softest and the hardest touch, in dB.
+    pub velocity_range_db: f64,
+    /// Material damping of all bodies.
+    pub damping: Rayleigh,
+    /// Whether a released key damps its body.
+    pub note_off_damps: bool,
+    /// Stereo width, 0…1.
+    pub width: f64,
+    /// Output gain, in dB.
+    pub gain_db: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+impl Settings {
+    /// A chime struck near its end with a hard mallet.
+    ///
+    /// At 3 % of the length each of a free tube's first six bending modes has at least 39 % of its
+    /// greatest motion; 22.4 %, where a tube hangs, is a node of the first.
+    pub const DEFAULT: Self = Self {
+        strike_position: 0.03,
+        velocity_to_position: 0.0,
+        position_scatter: 0.0,
+        hardness_pa: 1e9,
+        velocity_range_db: 40.0,
+        damping: Rayleigh {
+            alpha1_s: 1e-7,
+            alpha2_per_s: 0.0,
+        },
+        note_off_damps: false,
+        width: 0.5,
+        gain_db: 0.0,
+    };
+
+    /// The same with every value inside its [`range`], and what is not a number at its default.
+    #[must_use]
+    pub fn sane(self) -> Self {
+        let normal = Self::DEFAULT;
+        let within = |value: f64, range: std::ops::RangeInclusive<f64>, default: f64| {
+            if value.is_nan() {
+                return default;
+            }
+            value.clamp(*range.start(), *range.end())
+        };
+        Self {
+            strike_position: within(
+                self.strike_position,
+                range::STRIKE_POSITION,
+                normal.strike_position,
+            ),
+            velocity_to_position: within(
+                self.velocity_to_position,
+                range::VELOCITY_TO_POSITION,
+                normal.velocity_to_position,
+            ),
+            position_scatter: within(
+                self.position_scatter,
+                range::POSITION_SCATTER,
+                normal.position_scatter,
+            ),
+            hardness_pa: within(self.hardness_pa, range::HARDNESS_PA, normal.hardness_pa),
+            velocity_range_db: within(
+                self.velocity_range_db,
+                range::VELOCITY_RANGE_DB,
+                normal.velocity_range_db,
+            ),
+            damping: Rayleigh {
+                alpha1_s: within(
+                    self.damping.alpha1_s,
+                    range::ALPHA1_S,
+                    normal.damping.alpha1_s,
+                ),
+                alpha2_per_s: within(
+                    self.damping.alpha2_per_s,
+                    range::ALPHA2_PER_S,
+                    normal.damping.alpha2_per_s,
+                ),
+            },
+            note_off_damps: self.note_off_damps,
+            width: within(self.width, range::WIDTH, normal.width),
+            gain_db: within(self.gain_db, range::GAIN_DB, normal.gain_db),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Settings;
+
+    #[test]
+    fn nonsense_becomes_allowed_values() {
+        let wild = Settings {
+            hardness_pa: f64::NAN,
+            gain_db: f64::INFINITY,
+            strike_position: -3.0,
+            ..Settings::default()
+        };
+        let sane = wild.sane();
+        assert_eq!(sane.hardness_pa, 1e9);
+        assert_eq!(sane.gain_db, 12.0);
+        assert_eq!(sane.strike_position, 0.0);
+        assert_eq!(Settings::default().sane(), Settings::default());
+    }
+}

@@ -1,0 +1,88 @@
+//! From a note and chance to how fast and where the mallet lands.
+
+use super::Settings;
+
+/// Impact speed at full velocity, in m/s.
+const FULL_SPEED_M_S: f64 = 5.0;
+
+/// One blow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Touch {
+    /// Impact speed, in m/s.
+    pub(crate) speed_m_s: f64,
+    /// Where on the strike line, 0…1.
+    pub(crate) position: f64,
+}
+
+impl Touch {
+    /// Speed and place of a note of `velocity` 0…1 (what is not, is made so); `chance` is −1…1.
+    pub(crate) fn new(settings: &Settings, velocity: f32, chance: f64) -> Self {
+        let velocity = sane_velocity(velocity);
+        let decibels = settings.velocity_range_db * (velocity - 1.0);
+        let moved = settings.velocity_to_position * velocity + settings.position_scatter * chance;
+        Self {
+            speed_m_s: FULL_SPEED_M_S * 10f64.powf(decibels / 20.0),
+            position: reflect(settings.strike_position + 0.5 * moved),
+        }
+    }
+}
+
+/// A velocity in 0…1; NaN is taken as 0.
+fn sane_velocity(velocity: f32) -> f64 {
+    if velocity.is_nan() {
+        return 0.0;
+    }
+    f64::from(velocity.clamp(0.0, 1.0))
+}
+
+/// Folds back at the ends of the line.
+fn reflect(position: f64) -> f64 {
+    let folded = position.abs();
+    if folded > 1.0 { 2.0 - folded } else { folded }.clamp(0.0, 1.0)
+}
+
+/// A number in −1…1 that depends on nothing but its arguments (the finaliser of `SplitMix64`, Steele
+/// et al. 2014), so that a song renders the same every time.
+pub(crate) fn chance(key: u8, position: u64) -> f64 {
+    let mut z = position.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (u64::from(key) << 56);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^= z >> 31;
+    (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Touch, chance, reflect};
+    use crate::engine::Settings;
+
+    #[test]
+    fn velocity_spans_its_range_in_decibels() {
+        let settings = Settings::default();
+        let speed = |v| Touch::new(&settings, v, 0.0).speed_m_s;
+        assert!((speed(1.0) - 5.0).abs() < 1e-12);
+        assert!((speed(0.0) - 0.05).abs() < 1e-12);
+        assert!((speed(0.5) - 0.5).abs() < 1e-12);
+        for odd in [f32::NAN, -1.0, f32::NEG_INFINITY] {
+            assert_eq!(speed(odd), speed(0.0));
+        }
+        assert_eq!(speed(f32::INFINITY), speed(1.0));
+    }
+
+    #[test]
+    fn strikes_stay_on_the_line() {
+        assert_eq!(reflect(-0.25), 0.25);
+        assert_eq!(reflect(1.25), 0.75);
+        assert_eq!(reflect(0.5), 0.5);
+    }
+
+    #[test]
+    fn chance_is_spread_evenly() {
+        let draws: Vec<f64> = (0..10_000).map(|n| chance(60, n * 480)).collect();
+        let mean = draws.iter().sum::<f64>() / 1e4;
+        let square = draws.iter().map(|x| x * x).sum::<f64>() / 1e4;
+        assert!(draws.iter().all(|x| (-1.0..=1.0).contains(x)));
+        assert!(mean.abs() < 0.03 && (square - 1.0 / 3.0).abs() < 0.02);
+        assert_ne!(chance(60, 480), chance(61, 480));
+    }
+}

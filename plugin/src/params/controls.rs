@@ -1,0 +1,154 @@
+//! The parameters as the host holds them.
+
+use super::spec::{
+    ALPHA1, ALPHA2, MALLET_HARDNESS, NOTE_OFF, OUTPUT_GAIN, POSITION_SCATTER, STRIKE_POSITION,
+    Spec, VELOCITY_RANGE, VELOCITY_TO_POSITION, WIDTH,
+};
+use crate::engine::Settings;
+use modes::Rayleigh;
+use nice_plug::prelude::{BoolParam, FloatParam, FloatRange, Params};
+use std::sync::Arc;
+
+/// One control for each [`Spec`]; the engine smooths what they say.
+#[derive(Params)]
+pub struct Controls {
+    /// See [`STRIKE_POSITION`].
+    #[id = "pos"]
+    pub strike_position: FloatParam,
+    /// See [`VELOCITY_TO_POSITION`].
+    #[id = "vpos"]
+    pub velocity_to_position: FloatParam,
+    /// See [`POSITION_SCATTER`].
+    #[id = "scat"]
+    pub position_scatter: FloatParam,
+    /// See [`MALLET_HARDNESS`].
+    #[id = "hard"]
+    pub mallet_hardness: FloatParam,
+    /// See [`VELOCITY_RANGE`].
+    #[id = "vrng"]
+    pub velocity_range: FloatParam,
+    /// See [`ALPHA1`].
+    #[id = "alpha1"]
+    pub alpha1: FloatParam,
+    /// See [`ALPHA2`].
+    #[id = "alpha2"]
+    pub alpha2: FloatParam,
+    /// See [`NOTE_OFF`].
+    #[id = "noff"]
+    pub note_off: BoolParam,
+    /// See [`WIDTH`].
+    #[id = "width"]
+    pub width: FloatParam,
+    /// See [`OUTPUT_GAIN`].
+    #[id = "gain"]
+    pub output_gain: FloatParam,
+}
+
+fn float(spec: &'static Spec) -> FloatParam {
+    let (min, max) = (spec.min, spec.max);
+    let range = if spec.skew == 1.0 {
+        FloatRange::Linear { min, max }
+    } else {
+        FloatRange::Skewed {
+            min,
+            max,
+            factor: spec.skew,
+        }
+    };
+    FloatParam::new(spec.name, spec.default, range)
+        .with_value_to_string(Arc::new(|value| spec.format(value)))
+        .with_string_to_value(Arc::new(|text| spec.parse(text)))
+}
+
+impl Default for Controls {
+    fn default() -> Self {
+        Self {
+            strike_position: float(&STRIKE_POSITION),
+            velocity_to_position: float(&VELOCITY_TO_POSITION),
+            position_scatter: float(&POSITION_SCATTER),
+            mallet_hardness: float(&MALLET_HARDNESS),
+            velocity_range: float(&VELOCITY_RANGE),
+            alpha1: float(&ALPHA1),
+            alpha2: float(&ALPHA2),
+            note_off: BoolParam::new(NOTE_OFF.name, NOTE_OFF.default >= 0.5)
+                .with_value_to_string(Arc::new(|on| NOTE_OFF.format(f32::from(u8::from(on)))))
+                .with_string_to_value(Arc::new(|text| {
+                    NOTE_OFF.parse(text).map(|value| value >= 0.5)
+                })),
+            width: float(&WIDTH),
+            output_gain: float(&OUTPUT_GAIN),
+        }
+    }
+}
+
+impl Controls {
+    /// What the engine is to aim at.
+    #[must_use]
+    pub fn settings(&self) -> Settings {
+        let plain = |control: &FloatParam| f64::from(control.value());
+        let fraction = |control: &FloatParam| plain(control) / 100.0;
+        Settings {
+            strike_position: fraction(&self.strike_position),
+            velocity_to_position: fraction(&self.velocity_to_position),
+            position_scatter: fraction(&self.position_scatter),
+            hardness_pa: plain(&self.mallet_hardness),
+            velocity_range_db: plain(&self.velocity_range),
+            damping: Rayleigh {
+                alpha1_s: plain(&self.alpha1),
+                alpha2_per_s: plain(&self.alpha2),
+            },
+            note_off_damps: self.note_off.value(),
+            width: fraction(&self.width),
+            gain_db: plain(&self.output_gain),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::SPECS;
+    use nice_plug::prelude::Param;
+
+    #[test]
+    fn controls_and_table_agree() {
+        let controls = Controls::default();
+        let map = controls.param_map();
+        assert_eq!(map.len(), SPECS.len());
+        for ((id, pointer, _), spec) in map.iter().zip(&SPECS) {
+            assert_eq!(id, spec.id);
+            // SAFETY: `controls`, which the pointers point into, is alive.
+            #[expect(unsafe_code, reason = "the framework hands out raw pointers")]
+            let name = unsafe { pointer.name() };
+            assert_eq!(name, spec.name);
+        }
+    }
+
+    #[test]
+    fn defaults_are_the_engine_s() {
+        let (ours, engine) = (Controls::default().settings(), Settings::default());
+        assert_eq!(ours.sane(), ours);
+        assert!((ours.strike_position - engine.strike_position).abs() < 1e-7);
+        assert!((ours.damping.alpha1_s / engine.damping.alpha1_s - 1.0).abs() < 1e-6);
+        assert_eq!(ours.hardness_pa, engine.hardness_pa);
+        assert_eq!(ours.note_off_damps, engine.note_off_damps);
+        assert_eq!(ours.gain_db, engine.gain_db);
+        assert_eq!(ours.width, engine.width);
+    }
+
+    #[test]
+    fn a_host_s_number_keeps_its_text() {
+        let controls = Controls::default();
+        for text in ["1.00e-7 s", "8.00e-6 s", "2.00e-5 s", "0 s"] {
+            let normalized = controls.alpha1.string_to_normalized_value(text);
+            let shown = normalized.map(|n| controls.alpha1.normalized_value_to_string(n, true));
+            assert_eq!(shown.as_deref(), Some(text));
+        }
+        for text in ["1.00 MPa", "20.0 MPa", "1.00 GPa", "100 GPa"] {
+            let normalized = controls.mallet_hardness.string_to_normalized_value(text);
+            let shown =
+                normalized.map(|n| controls.mallet_hardness.normalized_value_to_string(n, true));
+            assert_eq!(shown.as_deref(), Some(text));
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! What rings is what the bank says, at any sample rate.
+
+mod support;
+
+use idiophone::engine::{Engine, Settings};
+use modes::Rayleigh;
+use support::{chimes, db, expected, fit, left};
+
+#[test]
+fn frequencies_decays_and_levels_at_every_rate() {
+    let bank = chimes([74]);
+    let expected = expected(&bank.bodies[0], bank.damping);
+    let mut levels: Vec<Vec<f64>> = Vec::new();
+    for rate_hz in [44_100.0, 48_000.0, 96_000.0, 192_000.0] {
+        let mut engine = Engine::new(&bank, rate_hz);
+        assert!(engine.strike(74, 1.0));
+        #[expect(clippy::cast_sign_loss, reason = "times and rates are positive")]
+        let samples = |seconds: f64| (seconds * rate_hz) as usize;
+        let signal = left(&mut engine, samples(0.2));
+        let seen = fit(&signal, rate_hz, &expected, samples(1e-3)..samples(0.2));
+        let (mut worst_cents, mut worst_decay) = (0.0_f64, 0.0_f64);
+        for (seen, (hz, decay)) in seen.iter().zip(&expected) {
+            worst_cents = worst_cents.max((1200.0 * (seen.hz / hz).log2()).abs());
+            worst_decay = worst_decay.max((seen.decay_per_s / decay - 1.0).abs());
+        }
+        println!("{rate_hz} Hz: {worst_cents:.6} cents, decay {worst_decay:.2e}");
+        assert!(worst_cents < 1e-3, "{worst_cents} cents at {rate_hz} Hz");
+        assert!(worst_decay < 1e-4, "{worst_decay} at {rate_hz} Hz");
+        levels.push(seen.iter().map(|partial| partial.amplitude).collect());
+    }
+    for other in &levels[1..] {
+        for ((a, b), (hz, _)) in levels[0].iter().zip(other).zip(&expected) {
+            println!("{hz:.0} Hz: {:.4} dB", db(a / b));
+            assert!(db(a / b).abs() < 0.1, "{} dB at {hz} Hz", db(a / b));
+        }
+    }
+}
+
+#[test]
+fn a_hard_blow_peaks_near_twelve_below_full_scale() {
+    let bank = chimes(60..=84);
+    let mut loudest = 0.0_f64;
+    for key in 60..=84 {
+        let mut engine = Engine::new(&bank, 48_000.0);
+        engine.set(&Settings {
+            width: 0.0,
+            ..Settings::default()
+        });
+        engine.reset();
+        engine.strike(key, 1.0);
+        loudest = left(&mut engine, 9600)
+            .iter()
+            .fold(loudest, |peak, s| peak.max(s.abs()));
+    }
+    println!("{:.3} dB", db(loudest));
+    assert!((db(loudest) + 12.0).abs() < 0.5, "{} dB", db(loudest));
+}
+
+#[test]
+fn damping_moved_in_mid_note_acts_at_once_and_adds_nothing() {
+    let rate_hz = 48_000.0;
+    let bank = chimes([74]);
+    let after = Rayleigh {
+        alpha1_s: 4e-7,
+        alpha2_per_s: 0.0,
+    };
+    let mut engine = Engine::new(&bank, rate_hz);
+    engine.strike(74, 1.0);
+    let step = 6000;
+    let mut signal = left(&mut engine, step);
+    engine.set(&Settings {
+        damping: after,
+        ..Settings::default()
+    });
+    signal.extend(left(&mut engine, 24_000));
+    // 15 ms later the damping is there.
+    let moved = step + 800;
+    let expected = expected(&bank.bodies[0], after);
+    let alive = &expected[..4];
+    for (seen, (hz, decay)) in fit(&signal, rate_hz, alive, moved..moved + 9600)
+        .iter()
+        .zip(alive)
+    {
+        println!("{hz:.1} Hz: {:.4} for {decay:.4} 1/s", seen.decay_per_s);
+        assert!((seen.decay_per_s / decay - 1.0).abs() < 1e-3, "{hz} Hz");
+    }
+
+    let around = &signal[..16_384];
+    let spectrum = support::spectrum(around);
+    let peak = spectrum.iter().fold(0.0, |p: f64, v| p.max(*v));
+    let bin_hz = rate_hz / 16_384.0;
+    let elsewhere = spectrum
+        .iter()
+        .enumerate()
+        .filter(|(bin, _)| {
+            let hz = *bin as f64 * bin_hz;
+            bank.bodies[0]
+                .modes
+                .iter()
+                .all(|mode| (hz - mode.hz).abs() > 100.0)
+        })
+        .fold(0.0, |most: f64, (_, v)| most.max(*v));
+    println!("elsewhere {:.1} dB", db(elsewhere / peak));
+    assert!(db(elsewhere / peak) < -80.0, "{} dB", db(elsewhere / peak));
+}

@@ -1,0 +1,183 @@
+//! The audio thread: no allocation, no cost of silence, nothing but finite sound.
+#![expect(unsafe_code, reason = "an allocator that counts can only be unsafe")]
+
+mod support;
+
+use idiophone::engine::{Engine, OUTPUT_BOUND, Settings};
+use modes::Rayleigh;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use support::{Random, chimes};
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+// SAFETY: every call is handed to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.with(|count| count.set(count.get() + 1));
+        // SAFETY: the caller keeps the contract of `alloc`.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        ALLOCATIONS.with(|count| count.set(count.get() + 1));
+        // SAFETY: the caller keeps the contract of `dealloc`.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn allocations() -> usize {
+    ALLOCATIONS.with(Cell::get)
+}
+
+#[test]
+fn playing_allocates_nothing() {
+    let mut engine = Engine::new(&chimes(55..=90), 48_000.0);
+    let (mut left, mut right) = ([0.0; 300], [0.0; 300]);
+    let before = allocations();
+    for round in 0..40_u8 {
+        for key in 55..=90 {
+            engine.strike(key, f32::from(round) / 40.0);
+            engine.strike(key, 0.5);
+        }
+        engine.set(&Settings {
+            damping: Rayleigh {
+                alpha1_s: 1e-7 * f64::from(round),
+                alpha2_per_s: 0.0,
+            },
+            note_off_damps: round % 2 == 0,
+            ..Settings::default()
+        });
+        engine.process(&mut left, &mut right);
+        engine.release(60);
+        engine.choke(61);
+        engine.process(&mut left[..7], &mut right[..7]);
+    }
+    engine.choke_all();
+    engine.reset();
+    engine.process(&mut left, &mut right);
+    assert_eq!(allocations(), before);
+}
+
+#[test]
+fn anything_at_all_leaves_the_output_finite_and_bounded() {
+    let mut random = Random(2002);
+    let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, 1e300, 0.0];
+    let wild = |random: &mut Random, scale: f64| {
+        if random.below(4) == 0 {
+            odd[random.below(odd.len())]
+        } else {
+            scale * random.unit()
+        }
+    };
+    let mut events = 0;
+    let mut peak = 0.0_f32;
+    let rates = [
+        1e3,
+        8e3,
+        44_100.0,
+        48_000.0,
+        96_000.0,
+        192_000.0,
+        768e3,
+        0.0,
+        f64::NAN,
+        1e9,
+    ];
+    for rate_hz in rates {
+        let mut engine = Engine::new(&chimes([60, 71, 74, 90]), rate_hz);
+        let (mut left, mut right) = ([0.0; 256], [0.0; 256]);
+        for _ in 0..10_000 {
+            let key = [60, 71, 74, 90, 61, 127, 255][random.below(7)];
+            match random.below(12) {
+                0..=5 => {
+                    let velocity = wild(&mut random, 1.0) as f32;
+                    engine.strike(key, velocity);
+                }
+                6 => engine.release(key),
+                7 => engine.pedal(random.below(2) == 0),
+                8 => engine.choke(key),
+                9 => match random.below(50) {
+                    0 => engine.reset(),
+                    1 => engine.choke_all(),
+                    _ => {}
+                },
+                _ => engine.set(&Settings {
+                    strike_position: wild(&mut random, 1.0),
+                    velocity_to_position: wild(&mut random, 1.0),
+                    position_scatter: wild(&mut random, 1.0),
+                    hardness_pa: wild(&mut random, 1e11),
+                    velocity_range_db: wild(&mut random, 60.0),
+                    damping: Rayleigh {
+                        alpha1_s: wild(&mut random, 2e-5),
+                        alpha2_per_s: wild(&mut random, 100.0),
+                    },
+                    note_off_damps: random.below(2) == 0,
+                    width: wild(&mut random, 1.0),
+                    gain_db: wild(&mut random, 12.0),
+                }),
+            }
+            let longest = if random.below(20) == 0 { 256 } else { 16 };
+            let frames = random.below(longest);
+            left.fill(f32::NAN);
+            right.fill(f32::NAN);
+            engine.process(&mut left[..frames], &mut right[..frames]);
+            for sample in left[..frames].iter().chain(&right[..frames]) {
+                assert!(sample.abs() <= OUTPUT_BOUND, "{sample} at {rate_hz} Hz");
+                assert!(*sample == 0.0 || sample.is_normal());
+                peak = peak.max(sample.abs());
+            }
+            events += 1;
+        }
+    }
+    println!("peak {peak}");
+    assert_eq!(events, 100_000);
+    assert!(peak > 0.1);
+}
+
+#[test]
+fn bodies_fall_asleep_and_silence_is_exact() {
+    let mut engine = Engine::new(&chimes([60, 74]), 48_000.0);
+    engine.strike(60, 1.0);
+    engine.strike(74, 1.0);
+    let (mut left, mut right) = (vec![0.0; 480], vec![0.0; 480]);
+    engine.process(&mut left, &mut right);
+    assert_eq!(engine.awake(), (1 << 60) | (1 << 74));
+    engine.choke(60);
+    for _ in 0..20 {
+        engine.process(&mut left, &mut right);
+    }
+    assert_eq!(engine.awake(), 1 << 74, "choked within 0.2 s");
+    let mut seconds = 0.2;
+    while engine.awake() != 0 {
+        engine.process(&mut left, &mut right);
+        seconds += 0.01;
+        assert!(seconds < 60.0);
+    }
+    println!("key 74 sleeps after {seconds:.1} s");
+    engine.process(&mut left, &mut right);
+    assert!(left.iter().chain(&right).all(|s| *s == 0.0));
+}
+
+#[test]
+fn a_choke_does_not_click() {
+    let mut engine = Engine::new(&chimes([74]), 48_000.0);
+    engine.strike(74, 1.0);
+    let mut signal = support::left(&mut engine, 24_000);
+    engine.choke(74);
+    signal.extend(support::left(&mut engine, 24_000));
+    let steepest = |part: &[f64]| {
+        part.windows(3)
+            .map(|w| (w[0] - 2.0 * w[1] + w[2]).abs())
+            .fold(0.0, f64::max)
+    };
+    assert!(steepest(&signal[23_900..25_000]) < 1.05 * steepest(&signal[23_500..23_990]));
+    assert_eq!(signal[24_000 + 9600..], vec![0.0; 24_000 - 9600]);
+}

@@ -1,0 +1,217 @@
+//! Where and how hard a body is struck is heard, and strikes add up.
+
+mod support;
+
+use idiophone::engine::{Engine, Settings};
+use modes::Rayleigh;
+use support::{Random, beam_shape, chimes, db, expected, fit, left};
+
+const RATE_HZ: f64 = 48_000.0;
+
+fn struck(settings: &Settings, velocity: f32, samples: usize) -> Vec<f64> {
+    let mut engine = Engine::new(&chimes([74]), RATE_HZ);
+    engine.set(settings);
+    engine.strike(74, velocity);
+    left(&mut engine, samples)
+}
+
+fn at(strike_position: f64) -> Settings {
+    Settings {
+        strike_position,
+        ..Settings::default()
+    }
+}
+
+/// Energy-weighted mean frequency of the first 40 ms, in Hz.
+fn centroid_hz(signal: &[f64]) -> f64 {
+    let spectrum = support::spectrum(&signal[..2048]);
+    let energy: f64 = spectrum.iter().map(|v| v * v).sum();
+    let moment: f64 = spectrum
+        .iter()
+        .enumerate()
+        .map(|(bin, v)| bin as f64 * RATE_HZ / 2048.0 * v * v)
+        .sum();
+    moment / energy
+}
+
+#[test]
+fn a_node_silences_its_mode() {
+    let bank = chimes([74]);
+    let expected = expected(&bank.bodies[0], bank.damping);
+    for k in 1..=4 {
+        let (mut low, mut high) = (0.0, 0.5 - 0.4 * f64::from(u8::from(k % 2 == 0)));
+        if k % 2 == 0 {
+            (low, high) = (0.02, 0.2);
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if beam_shape(k, middle) * beam_shape(k, low) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let level = |position: f64| {
+            let signal = struck(&at(position), 0.8, 9600);
+            fit(&signal, RATE_HZ, &expected, 96..9600)[k - 1].amplitude
+        };
+        let drop = db(level(low) / level(0.0));
+        println!("mode {k} at {low:.4}: {drop:.1} dB");
+        assert!(drop < -60.0, "mode {k} at {low}: {drop} dB");
+    }
+}
+
+#[test]
+fn mirror_positions_sound_equal() {
+    // Odd modes move alike at both ends, even ones against each other: levels are equal, not signs.
+    let bank = chimes([74]);
+    let expected = expected(&bank.bodies[0], bank.damping);
+    let partials = |position: f64| {
+        let signal = struck(&at(position), 0.7, 9600);
+        fit(&signal, RATE_HZ, &expected, 96..9600)
+    };
+    for (a, b) in partials(0.17).iter().zip(partials(0.83)) {
+        let difference = db(a.amplitude / b.amplitude);
+        assert!(difference.abs() < 1e-3, "{} Hz: {difference} dB", a.hz);
+    }
+}
+
+#[test]
+fn the_end_is_bright_and_the_middle_dull() {
+    let end = centroid_hz(&struck(&at(0.01), 0.8, 2048));
+    let middle = centroid_hz(&struck(&at(0.5), 0.8, 2048));
+    println!("centroid {end:.0} Hz at the end, {middle:.0} Hz in the middle");
+    assert!(end > 1.2 * middle, "{end} Hz against {middle} Hz");
+}
+
+#[test]
+fn harder_blows_and_harder_heads_are_brighter() {
+    let soft = centroid_hz(&struck(&at(0.03), 0.1, 2048));
+    let hard = centroid_hz(&struck(&at(0.03), 1.0, 2048));
+    assert!(hard > 1.2 * soft, "{hard} Hz against {soft} Hz");
+    let yarn = Settings {
+        hardness_pa: 1e7,
+        ..at(0.03)
+    };
+    assert!(centroid_hz(&struck(&yarn, 1.0, 2048)) < 0.7 * hard);
+}
+
+#[test]
+fn strikes_add_up() {
+    let bank = chimes([60, 67, 74]);
+    let blows = [
+        (74, 0.9, 0),
+        (60, 0.5, 1000),
+        (74, 0.6, 5003),
+        (74, 1.0, 5010),
+    ];
+    let render = |which: &[usize]| {
+        let mut engine = Engine::new(&bank, RATE_HZ);
+        engine.set(&Settings {
+            position_scatter: 0.3,
+            ..Settings::default()
+        });
+        let mut signal = Vec::new();
+        for &i in which {
+            let (key, velocity, time) = blows[i];
+            let wait = time - signal.len();
+            signal.extend(left(&mut engine, wait));
+            engine.strike(key, velocity);
+        }
+        let rest = 48_000 - signal.len();
+        signal.extend(left(&mut engine, rest));
+        signal
+    };
+    let together = render(&[0, 1, 2, 3]);
+    let alone: Vec<_> = (0..4).map(|i| render(&[i])).collect();
+    let peak = together.iter().fold(0.0, |p: f64, v| p.max(v.abs()));
+    let worst = (0..48_000)
+        .map(|n| (together[n] - alone.iter().map(|a| a[n]).sum::<f64>()).abs())
+        .fold(0.0, f64::max);
+    println!("superposition {:.1} dB", db(worst / peak));
+    assert!(db(worst / peak) < -120.0, "{} dB", db(worst / peak));
+}
+
+/// One event of a busy song.
+enum Event {
+    Strike(u8, f32),
+    Release(u8),
+    Pedal(bool),
+    Choke(u8),
+    Set(Settings),
+}
+
+/// A song of many events, some at the same sample.
+fn song(keys: &[u8], samples: usize) -> Vec<(usize, Event)> {
+    let mut random = Random(7);
+    let mut song: Vec<(usize, Event)> = (0..300)
+        .map(|_| {
+            let key = keys[random.below(keys.len())];
+            let event = match random.below(8) {
+                0..=3 => Event::Strike(key, random.unit() as f32),
+                4 => Event::Release(key),
+                5 => Event::Pedal(random.below(2) == 0),
+                6 => Event::Choke(key),
+                _ => Event::Set(Settings {
+                    strike_position: random.unit(),
+                    position_scatter: random.unit(),
+                    hardness_pa: 1e6 * 1e5f64.powf(random.unit()),
+                    damping: Rayleigh {
+                        alpha1_s: 1e-6 * random.unit(),
+                        alpha2_per_s: 5.0 * random.unit(),
+                    },
+                    note_off_damps: random.below(2) == 0,
+                    width: random.unit(),
+                    gain_db: -20.0 * random.unit(),
+                    ..Settings::default()
+                }),
+            };
+            (random.below(samples), event)
+        })
+        .collect();
+    song.sort_by_key(|(time, _)| *time);
+    song
+}
+
+#[test]
+fn the_same_bits_at_every_block_size() {
+    let keys = [60, 64, 67, 74];
+    let bank = chimes(keys);
+    let samples = 60_000;
+    let song = song(&keys, samples);
+    let render = |block: usize| {
+        let mut engine = Engine::new(&bank, RATE_HZ);
+        let (mut l, mut r) = (vec![f32::NAN; samples], vec![f32::NAN; samples]);
+        let mut events = song.iter().peekable();
+        for start in (0..samples).step_by(block) {
+            let end = (start + block).min(samples);
+            let mut done = start;
+            while done < end {
+                while let Some((_, event)) = events.next_if(|(time, _)| *time == done) {
+                    match event {
+                        Event::Strike(key, velocity) => {
+                            engine.strike(*key, *velocity);
+                        }
+                        Event::Release(key) => engine.release(*key),
+                        Event::Pedal(down) => engine.pedal(*down),
+                        Event::Choke(key) => engine.choke(*key),
+                        Event::Set(settings) => engine.set(settings),
+                    }
+                }
+                let next = events.peek().map_or(end, |(time, _)| end.min(*time));
+                engine.process(&mut l[done..next], &mut r[done..next]);
+                done = next;
+            }
+        }
+        l.iter().chain(&r).map(|s| s.to_bits()).collect::<Vec<_>>()
+    };
+    let reference = render(512);
+    assert!(
+        reference
+            .iter()
+            .any(|bits| f32::from_bits(*bits).abs() > 0.01)
+    );
+    for block in [1, 7, 64, 4096] {
+        assert!(render(block) == reference, "block size {block}");
+    }
+}
