@@ -6,6 +6,8 @@
 
 pub mod analytic;
 mod bank;
+#[cfg(feature = "solve")]
+pub mod check;
 mod code;
 mod damping;
 mod equal_temperament;
@@ -47,3 +49,5 @@ pub use recipe::{
 #[cfg(feature = "solve")]
 pub use solve::SolveError;
 pub use strike_line::{Stencil, StrikeLine};
+#[cfg(feature = "solve")]
+pub use tube::TuneError;

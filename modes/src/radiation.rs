@@ -12,14 +12,21 @@ pub fn rectified_area(nodes: &[[f64; 3]], triangles: &[[u32; 3]], mode: &[f64]) 
         .iter()
         .map(|triangle| {
             let [p, q, r] = triangle.map(|node| nodes[node as usize]);
-            let (u, v) = ([0, 1, 2].map(|a| q[a] - p[a]), [0, 1, 2].map(|a| r[a] - p[a]));
+            let (u, v) = (
+                [0, 1, 2].map(|a| q[a] - p[a]),
+                [0, 1, 2].map(|a| r[a] - p[a]),
+            );
             let normal = [
                 0.5 * (u[1] * v[2] - u[2] * v[1]),
                 0.5 * (u[2] * v[0] - u[0] * v[2]),
                 0.5 * (u[0] * v[1] - u[1] * v[0]),
             ];
             let mean = |a: usize| {
-                triangle.iter().map(|&node| mode[3 * node as usize + a]).sum::<f64>() / 3.0
+                triangle
+                    .iter()
+                    .map(|&node| mode[3 * node as usize + a])
+                    .sum::<f64>()
+                    / 3.0
             };
             (0..3).map(|a| normal[a] * mean(a)).sum::<f64>().abs()
         })

@@ -4,7 +4,7 @@ mod body;
 mod tune;
 
 pub use body::{TubeModes, tube_modes};
-pub use tune::{TuneError, TubeTuning, tune_tube};
+pub use tune::{TubeTuning, TuneError, tune_tube};
 
 use crate::mesh::TubeGrid;
 use crate::shape::Tube;

@@ -50,22 +50,25 @@ impl Notes {
             Key::Number(key) => 1u128.checked_shl(key.into()).unwrap_or(0),
             Key::Wildcard => u128::MAX,
         };
-        (0..128)
-            .filter(|k| all >> k & 1 == 1)
-            .filter(|k| {
-                self.slots[*k as usize].is_none_or(|note| {
-                    let same_voice = match (voice_id, note.voice_id) {
-                        (VoiceID::ID(a), VoiceID::ID(b)) => a == b,
-                        _ => true,
-                    };
-                    let same_channel = match (channel, note.channel) {
-                        (Channel::Number(a), Channel::Number(b)) => a == b,
-                        _ => true,
-                    };
-                    same_voice && same_channel
-                })
+        let meant = |slot: &Option<Note>| {
+            slot.is_none_or(|note| {
+                let same_voice = match (voice_id, note.voice_id) {
+                    (VoiceID::ID(a), VoiceID::ID(b)) => a == b,
+                    _ => true,
+                };
+                let same_channel = match (channel, note.channel) {
+                    (Channel::Number(a), Channel::Number(b)) => a == b,
+                    _ => true,
+                };
+                same_voice && same_channel
             })
-            .fold(0, |bits, k| bits | 1 << k)
+        };
+        self.slots
+            .iter()
+            .enumerate()
+            .filter(|(_, slot)| meant(slot))
+            .fold(0, |keys, (key, _)| keys | 1 << key)
+            & all
     }
 }
 

@@ -14,6 +14,7 @@ fn frequencies_decays_and_levels_at_every_rate() {
     for rate_hz in [44_100.0, 48_000.0, 96_000.0, 192_000.0] {
         let mut engine = Engine::new(&bank, rate_hz);
         assert!(engine.strike(74, 1.0));
+        #[expect(clippy::cast_sign_loss, reason = "times and rates are positive")]
         let samples = |seconds: f64| (seconds * rate_hz) as usize;
         let signal = left(&mut engine, samples(0.2));
         let seen = fit(&signal, rate_hz, &expected, samples(1e-3)..samples(0.2));

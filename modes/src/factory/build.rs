@@ -133,7 +133,11 @@ fn body(recipe: &Recipe, key: u8) -> Result<Finished, BuildError> {
         }
     })?;
     Ok(Finished {
-        residual: solved.modes.iter().map(|mode| mode.residual).fold(0.0, f64::max),
+        residual: solved
+            .modes
+            .iter()
+            .map(|mode| mode.residual)
+            .fold(0.0, f64::max),
         orthonormality: solved.orthonormality,
         body: Body {
             key,
@@ -144,4 +148,54 @@ fn body(recipe: &Recipe, key: u8) -> Result<Finished, BuildError> {
             modes: solved.modes,
         },
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::factory::Silent;
+    use std::ops::ControlFlow;
+
+    fn recipe(edit: impl Fn(&str) -> String) -> Recipe {
+        let text = edit(Recipe::FACTORY[0].1)
+            .replace("low = 36", "low = 84")
+            .replace("around = 48", "around = 16")
+            .replace("max_element_m = 0.006", "max_element_m = 0.02");
+        Recipe::parse(&text, "test.toml").unwrap()
+    }
+
+    #[test]
+    fn the_number_of_threads_does_not_change_a_bit() {
+        let recipe = recipe(str::to_owned);
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
+            pool.install(|| build(&recipe, &Silent)).unwrap().write()
+        };
+        assert_eq!(on(1), on(3));
+    }
+
+    #[test]
+    fn a_pitch_out_of_reach_names_the_key() {
+        let recipe = recipe(|text| text.replace("outer_radius_m = 0.0125", "outer_radius_m = 0.5"));
+        let error = build(&recipe, &Silent).err().unwrap().to_string();
+        assert!(
+            error.starts_with("chimes: keys: key 84: ") && error.contains("they reach"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn a_build_can_be_cancelled() {
+        struct Once;
+        impl Progress for Once {
+            fn advance(&self, _: usize, _: usize) -> ControlFlow<()> {
+                ControlFlow::Break(())
+            }
+        }
+        let error = build(&recipe(str::to_owned), &Once).err().unwrap();
+        assert!(matches!(error, BuildError::Cancelled { .. }));
+    }
 }

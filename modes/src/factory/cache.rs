@@ -47,7 +47,10 @@ pub fn cached(
     force: bool,
     progress: &dyn Progress,
 ) -> Result<Built, CacheError> {
-    let identity = fnv::extend(fnv::extend(fnv::START, CODE.as_bytes()), recipe.text.as_bytes());
+    let identity = fnv::extend(
+        fnv::extend(fnv::START, CODE.as_bytes()),
+        recipe.text.as_bytes(),
+    );
     let path = folder.join(format!("{}-{identity:016x}.bank", recipe.name));
     if !force && let Ok(bank) = Bank::load(&path) {
         return Ok(Built {

@@ -27,9 +27,11 @@ pub fn assemble(mesh: &Mesh, material: &Material, mass: TetMass) -> Result<Penci
         Elements::Tet4(tets) => {
             for (index, tet) in tets.iter().enumerate() {
                 let corners = tet.map(|node| mesh.nodes[node as usize]);
-                let element = Tet4::new(&corners, material, mass)
-                    .ok_or(SolveError::BadElement { index })?;
-                add(&mut pencil, tet, |i, j| (&element.stiffness[i][j], element.mass[i][j]));
+                let element =
+                    Tet4::new(&corners, material, mass).ok_or(SolveError::BadElement { index })?;
+                add(&mut pencil, tet, |i, j| {
+                    (&element.stiffness[i][j], element.mass[i][j])
+                });
             }
         }
         Elements::Hex20(hexes) => {
@@ -37,7 +39,9 @@ pub fn assemble(mesh: &Mesh, material: &Material, mass: TetMass) -> Result<Penci
                 let nodes = hex.map(|node| mesh.nodes[node as usize]);
                 let element =
                     Hex20::new(&nodes, material).ok_or(SolveError::BadElement { index })?;
-                add(&mut pencil, hex, |i, j| (&element.stiffness[i][j], element.mass[i][j]));
+                add(&mut pencil, hex, |i, j| {
+                    (&element.stiffness[i][j], element.mass[i][j])
+                });
             }
         }
     }
@@ -77,7 +81,9 @@ fn add<'a>(
             let (stiffness, mass) = block(i, j);
             for b in 0..3u32 {
                 let first = if row_node == column_node { b } else { 0 };
-                let entry = pencil.pattern.entry(3 * row_node + first, 3 * column_node + b);
+                let entry = pencil
+                    .pattern
+                    .entry(3 * row_node + first, 3 * column_node + b);
                 for a in first..3 {
                     let at = entry + (a - first) as usize;
                     pencil.stiffness[at] += stiffness[a as usize][b as usize];

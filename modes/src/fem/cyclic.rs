@@ -86,7 +86,10 @@ impl CyclicTube {
             let (sin, cos) = turn(node).sin_cos();
             [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]
         });
-        let (mut stiffness, mut mass) = (vec![0.0; UNKNOWNS * UNKNOWNS], vec![0.0; UNKNOWNS * UNKNOWNS]);
+        let (mut stiffness, mut mass) = (
+            vec![0.0; UNKNOWNS * UNKNOWNS],
+            vec![0.0; UNKNOWNS * UNKNOWNS],
+        );
         for i in 0..20 {
             for j in 0..20 {
                 for a in 0..3 {
@@ -95,8 +98,9 @@ impl CyclicTube {
                         for c in 0..3 {
                             mass[at] += frames[i][a][c] * element.mass[i][j] * frames[j][b][c];
                             for d in 0..3 {
-                                stiffness[at] +=
-                                    frames[i][a][c] * element.stiffness[i][j][c][d] * frames[j][b][d];
+                                stiffness[at] += frames[i][a][c]
+                                    * element.stiffness[i][j][c][d]
+                                    * frames[j][b][d];
                             }
                         }
                     }
@@ -104,7 +108,9 @@ impl CyclicTube {
             }
         }
         let section = Section::new(grid.along);
-        let cells: Vec<_> = (0..grid.along).map(|z| cell_unknowns(&section, z)).collect();
+        let cells: Vec<_> = (0..grid.along)
+            .map(|z| cell_unknowns(&section, z))
+            .collect();
         Ok(Self {
             around: grid.around,
             pattern: Arc::new(section_pattern(3 * section.count, &cells)),

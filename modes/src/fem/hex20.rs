@@ -31,7 +31,10 @@ pub const HEX20_NODES: [[f64; 3]; 20] = [
 ];
 
 /// Two-point Gauss rule on −1…1: abscissae ±1/√3, weights 1.
-const GAUSS_2: [(f64, f64); 2] = [(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)];
+const GAUSS_2: [(f64, f64); 2] = [
+    (-0.577_350_269_189_625_8, 1.0),
+    (0.577_350_269_189_625_8, 1.0),
+];
 
 /// Three-point Gauss rule on −1…1: abscissae 0, ±√(3/5), weights 8/9, 5/9.
 const GAUSS_3: [(f64, f64); 3] = [
@@ -76,9 +79,8 @@ impl Hex20 {
 
 fn points<const N: usize>(rule: &[(f64, f64); N]) -> impl Iterator<Item = ([f64; 3], f64)> + '_ {
     rule.iter().flat_map(move |&(x, wx)| {
-        rule.iter().flat_map(move |&(y, wy)| {
-            rule.iter().map(move |&(z, wz)| ([x, y, z], wx * wy * wz))
-        })
+        rule.iter()
+            .flat_map(move |&(y, wy)| rule.iter().map(move |&(z, wz)| ([x, y, z], wx * wy * wz)))
     })
 }
 
@@ -132,7 +134,7 @@ fn gradients_at(nodes: &[[f64; 3]; 20], x: [f64; 3]) -> Option<([[f64; 3]; 20], 
         }
     }
     let det = determinant(&jacobian);
-    if !(det > 0.0) {
+    if det.is_nan() || det <= 0.0 {
         return None;
     }
     let inv = inverse(&jacobian, det);

@@ -35,8 +35,20 @@ pub(super) fn inverse(m: &[[f64; 3]; 3], determinant: f64) -> [[f64; 3]; 3] {
         (m[r0][c0] * m[r1][c1] - m[r0][c1] * m[r1][c0]) / determinant
     };
     [
-        [cofactor(1, 1, 2, 2), -cofactor(0, 1, 2, 2), cofactor(0, 1, 1, 2)],
-        [-cofactor(1, 0, 2, 2), cofactor(0, 0, 2, 2), -cofactor(0, 0, 1, 2)],
-        [cofactor(1, 0, 2, 1), -cofactor(0, 0, 2, 1), cofactor(0, 0, 1, 1)],
+        [
+            cofactor(1, 1, 2, 2),
+            -cofactor(0, 1, 2, 2),
+            cofactor(0, 1, 1, 2),
+        ],
+        [
+            -cofactor(1, 0, 2, 2),
+            cofactor(0, 0, 2, 2),
+            -cofactor(0, 0, 1, 2),
+        ],
+        [
+            cofactor(1, 0, 2, 1),
+            -cofactor(0, 0, 2, 1),
+            cofactor(0, 0, 1, 1),
+        ],
     ]
 }

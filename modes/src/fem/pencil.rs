@@ -84,7 +84,10 @@ impl Pencil {
     /// If `x` and `y` differ in length or are no whole number of columns.
     pub fn multiply(&self, values: &[f64], x: &[f64], y: &mut [f64]) {
         let n = self.unknowns();
-        assert!(x.len() == y.len() && x.len().is_multiple_of(n), "whole columns");
+        assert!(
+            x.len() == y.len() && x.len().is_multiple_of(n),
+            "whole columns"
+        );
         y.fill(0.0);
         let mut xs = x.chunks_exact(4 * n);
         let mut ys = y.chunks_exact_mut(4 * n);

@@ -25,7 +25,7 @@ impl Tet4 {
         // Rows are the edges from corner 0, so that the inverse's columns are gradients.
         let jacobian = [1, 2, 3].map(|i| [edge(i, 0), edge(i, 1), edge(i, 2)]);
         let det = determinant(&jacobian);
-        if !(det > 0.0) {
+        if det.is_nan() || det <= 0.0 {
             return None;
         }
         let inv = inverse(&jacobian, det);
@@ -42,7 +42,13 @@ impl Tet4 {
         let body = material.density_kg_m3 * volume;
         for i in 0..4 {
             for j in 0..4 {
-                add_block(&mut stiffness[i][j], material, volume, &gradients[i], &gradients[j]);
+                add_block(
+                    &mut stiffness[i][j],
+                    material,
+                    volume,
+                    &gradients[i],
+                    &gradients[j],
+                );
                 let same = f64::from(u8::from(i == j));
                 masses[i][j] = match mass {
                     TetMass::Consistent => body / 20.0 * (1.0 + same),

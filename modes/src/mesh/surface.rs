@@ -41,8 +41,9 @@ impl Mesh {
                 [p, q, r] => vec![[p, q, r]],
                 // Corners and edge middles in turn: one triangle to a corner, two in between.
                 _ => {
-                    let mut triangles: Vec<_> =
-                        (0..4).map(|i| [face[(2 * i + 7) % 8], face[2 * i], face[2 * i + 1]]).collect();
+                    let mut triangles: Vec<_> = (0..4)
+                        .map(|i| [face[(2 * i + 7) % 8], face[2 * i], face[2 * i + 1]])
+                        .collect();
                     triangles.push([face[1], face[3], face[5]]);
                     triangles.push([face[1], face[5], face[7]]);
                     triangles
@@ -91,7 +92,10 @@ mod tests {
         let mut sums = (0.0, 0.0);
         for triangle in mesh.surface() {
             let [p, q, r] = triangle.map(|node| mesh.nodes[node as usize]);
-            let (u, v) = ([0, 1, 2].map(|a| q[a] - p[a]), [0, 1, 2].map(|a| r[a] - p[a]));
+            let (u, v) = (
+                [0, 1, 2].map(|a| q[a] - p[a]),
+                [0, 1, 2].map(|a| r[a] - p[a]),
+            );
             let cross = [
                 u[1] * v[2] - u[2] * v[1],
                 u[2] * v[0] - u[0] * v[2],
@@ -112,7 +116,7 @@ mod tests {
         };
         let walls = std::f64::consts::TAU * (tube.outer_radius_m + tube.inner_radius_m());
         let area = walls * tube.length_m + 2.0 * tube.section_area_m2();
-        for mesh in [tube_tet4(&tube, grid), tube_hex20(&tube, grid)] {
+        for mesh in [tube_tet4(&tube, grid, 1), tube_hex20(&tube, grid)] {
             let (v, a) = volume_and_area(&mesh);
             assert!((v / tube.volume_m3() - 1.0).abs() < 2e-3, "{v}");
             assert!((a / area - 1.0).abs() < 1e-3, "{a}");

@@ -1,10 +1,10 @@
-//! Structured meshes of a tube: one layer of cells through the wall.
+//! Structured meshes of a tube.
 
 use super::{Elements, Mesh};
 use crate::fem::HEX20_NODES;
 use crate::shape::Tube;
 
-/// How many cells a tube is cut into.
+/// How many cells a tube is cut into on its wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TubeGrid {
     /// Cells around the axis.
@@ -34,29 +34,32 @@ fn number(index: usize) -> u32 {
     u32::try_from(index).expect("meshes have fewer than 2^32 nodes")
 }
 
-/// Linear tetrahedra, six to a cell: 2·around·(along + 1) nodes.
+/// Linear tetrahedra, six to a cell, `layers` of cells through the wall:
+/// (layers + 1)·around·(along + 1) nodes.
 #[must_use]
-pub fn tube_tet4(tube: &Tube, grid: TubeGrid) -> Mesh {
+pub fn tube_tet4(tube: &Tube, grid: TubeGrid, layers: usize) -> Mesh {
     let TubeGrid { around, along } = grid;
-    let id = |r: usize, a: usize, z: usize| number((z * around + a % around) * 2 + r);
-    let mut nodes = Vec::with_capacity(2 * around * (along + 1));
+    let across = layers + 1;
+    let id = |r: usize, a: usize, z: usize| number((z * around + a % around) * across + r);
+    let mut nodes = Vec::with_capacity(across * around * (along + 1));
     for z in 0..=along {
         for a in 0..around {
-            for r in 0..2 {
+            for r in 0..across {
                 nodes.push(point(
                     tube,
-                    r as f64,
+                    r as f64 / layers as f64,
                     a as f64 / around as f64,
                     z as f64 / along as f64,
                 ));
             }
         }
     }
-    let mut tets = Vec::with_capacity(6 * around * along);
+    let mut tets = Vec::with_capacity(6 * layers * around * along);
     for z in 0..along {
         for a in 0..around {
-            for tet in CUBE_TETS {
-                tets.push(tet.map(|c| id(c & 1, a + (c >> 1 & 1), z + (c >> 2))));
+            for r in 0..layers {
+                let corner = |c: usize| id(r + (c & 1), a + (c >> 1 & 1), z + (c >> 2));
+                tets.extend(CUBE_TETS.map(|tet| tet.map(corner)));
             }
         }
     }
@@ -66,7 +69,7 @@ pub fn tube_tet4(tube: &Tube, grid: TubeGrid) -> Mesh {
     }
 }
 
-/// Twenty-node hexahedra with mid-side nodes on the true circles.
+/// Twenty-node hexahedra, one layer through the wall, with mid-side nodes on the true circles.
 #[must_use]
 pub fn tube_hex20(tube: &Tube, grid: TubeGrid) -> Mesh {
     let TubeGrid { around, along } = grid;
@@ -120,7 +123,7 @@ mod tests {
             around: 74,
             along: 126,
         };
-        assert_eq!(tube_tet4(&Tube::D5, grid).nodes.len(), 18_796);
+        assert_eq!(tube_tet4(&Tube::D5, grid, 1).nodes.len(), 18_796);
     }
 
     #[test]

@@ -19,7 +19,14 @@ pub(super) fn inner(x: &[f64], y: &[f64], rows: usize) -> Vec<f64> {
     let mut product = vec![0.0; p * q];
     if p > 0 && q > 0 {
         let out = MatMut::from_column_major_slice_mut(&mut product, p, q);
-        matmul(out, Accum::Replace, view(x, rows).transpose(), view(y, rows), 1.0, Par::Seq);
+        matmul(
+            out,
+            Accum::Replace,
+            view(x, rows).transpose(),
+            view(y, rows),
+            1.0,
+            Par::Seq,
+        );
     }
     product
 }
@@ -29,6 +36,13 @@ pub(super) fn add_product(y: &mut [f64], x: &[f64], c: &[f64], scale: f64, rows:
     let p = x.len() / rows;
     if p > 0 {
         let c = MatRef::from_column_major_slice(c, p, c.len() / p);
-        matmul(view_mut(y, rows), Accum::Add, view(x, rows), c, scale, Par::Seq);
+        matmul(
+            view_mut(y, rows),
+            Accum::Add,
+            view(x, rows),
+            c,
+            scale,
+            Par::Seq,
+        );
     }
 }

@@ -22,6 +22,18 @@ pub enum SolveError {
         /// Vectors used.
         subspace: usize,
     },
+    /// A mode came out that does not solve its equation well enough.
+    #[error(
+        "the mode at {hz:.1} Hz leaves a relative residual of {residual:.1e}; allowed is {allowed:.0e}"
+    )]
+    Inaccurate {
+        /// The mode's frequency, in Hz.
+        hz: f64,
+        /// ‖Kφ − λMφ‖ / ‖Kφ‖.
+        residual: f64,
+        /// The largest residual allowed.
+        allowed: f64,
+    },
     /// The body is held where it should be free, or falls apart.
     #[error("{found} rigid motions where a body of this kind has {expected}")]
     RigidMotions {

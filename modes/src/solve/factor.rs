@@ -49,7 +49,9 @@ impl Symbolic {
         let entries = shifted(pencil, shift);
         let matrix = SparseColMatRef::new(symbolic_matrix(pencil), &entries);
         let mut values = vec![0.0; self.0.len_val()];
-        let scratch = self.0.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
+        let scratch = self
+            .0
+            .factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
         self.0
             .factorize_numeric_llt(
                 &mut values,

@@ -106,7 +106,9 @@ impl<'a> Lanczos<'a> {
         self.pencil.multiply(&self.pencil.mass, &vectors, &mut mass);
         let mut triangle = vec![0.0; b * b];
         for j in 0..b {
-            let before = dot(&vectors[j * n..][..n], &mass[j * n..][..n]).max(0.0).sqrt();
+            let before = dot(&vectors[j * n..][..n], &mass[j * n..][..n])
+                .max(0.0)
+                .sqrt();
             for _ in 0..2 {
                 for i in 0..j {
                     let c = dot(&mass[i * n..][..n], &vectors[j * n..][..n]);
@@ -115,7 +117,9 @@ impl<'a> Lanczos<'a> {
                     triangle[j * b + i] += c;
                 }
             }
-            let after = dot(&vectors[j * n..][..n], &mass[j * n..][..n]).max(0.0).sqrt();
+            let after = dot(&vectors[j * n..][..n], &mass[j * n..][..n])
+                .max(0.0)
+                .sqrt();
             if after > 1e-10 * before {
                 triangle[j * b + j] = after;
                 scale(&mut vectors[j * n..][..n], 1.0 / after);
@@ -135,7 +139,8 @@ impl<'a> Lanczos<'a> {
         let mut fresh = vec![0.0; n];
         let mut product = vec![0.0; n];
         self.random.fill(&mut fresh);
-        self.pencil.multiply(&self.pencil.mass, &fresh, &mut product);
+        self.pencil
+            .multiply(&self.pencil.mass, &fresh, &mut product);
         self.factor.solve(&mut product);
         fresh.copy_from_slice(&product);
         for _ in 0..2 {
@@ -144,7 +149,8 @@ impl<'a> Lanczos<'a> {
             let c = inner(&mass[..j * n], &fresh, n);
             add_product(&mut fresh, &vectors[..j * n], &c, -1.0, n);
         }
-        self.pencil.multiply(&self.pencil.mass, &fresh, &mut product);
+        self.pencil
+            .multiply(&self.pencil.mass, &fresh, &mut product);
         let norm = dot(&fresh, &product).sqrt();
         scale(&mut fresh, 1.0 / norm);
         scale(&mut product, 1.0 / norm);
@@ -176,7 +182,12 @@ impl<'a> Lanczos<'a> {
             .map(|column| {
                 let tail = &coefficients[column * m + m - b..][..b];
                 let leak: f64 = (0..b)
-                    .map(|i| (0..b).map(|j| last[j * b + i] * tail[j]).sum::<f64>().powi(2))
+                    .map(|i| {
+                        (0..b)
+                            .map(|j| last[j * b + i] * tail[j])
+                            .sum::<f64>()
+                            .powi(2)
+                    })
                     .sum();
                 Ritz {
                     eigenvalue: 1.0 / values[column] + self.shift,

@@ -58,7 +58,12 @@ pub fn tube_modes(
         let solution = modes_in_band(&sector.pencil(order), band)?;
         orthonormality = orthonormality.max(solution.orthonormality);
         empty = if solution.counted == 0 { empty + 1 } else { 0 };
-        found.extend(solution.modes.into_iter().map(|mode| see(&sector, tube, order, mode)));
+        found.extend(
+            solution
+                .modes
+                .into_iter()
+                .map(|mode| see(&sector, tube, order, mode)),
+        );
         if empty == EMPTY_HARMONICS {
             break;
         }
@@ -85,7 +90,10 @@ fn see(sector: &CyclicTube, tube: &Tube, order: usize, mode: Eigenmode) -> Found
     let sides: f64 = walls
         .iter()
         .map(|&(radial, radius_m)| {
-            let radial_motion = sector.along_wall(&mode.vector, radial).into_iter().map(|u| u[0]);
+            let radial_motion = sector
+                .along_wall(&mode.vector, radial)
+                .into_iter()
+                .map(|u| u[0]);
             radius_m * tube.length_m * mean_rectified(&radial_motion.collect::<Vec<_>>())
         })
         .sum();
@@ -208,8 +216,93 @@ fn members(found: &Found, index: usize, samples: usize) -> Vec<Mode> {
 fn generator(tube: &Tube, samples: usize) -> StrikeLine {
     StrikeLine {
         points_m: (0..samples)
-            .map(|i| [tube.outer_radius_m, 0.0, tube.length_m * i as f64 / (samples - 1) as f64])
+            .map(|i| {
+                [
+                    tube.outer_radius_m,
+                    0.0,
+                    tube.length_m * i as f64 / (samples - 1) as f64,
+                ]
+            })
             .collect(),
         normals: vec![[1.0, 0.0, 0.0]; samples],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TABLE_1;
+    use crate::fem::{TetMass, assemble};
+    use crate::mesh::tube_hex20;
+    use crate::radiation::rectified_area;
+
+    const COARSE: Fineness = Fineness {
+        around: 24,
+        max_element_m: 0.02,
+    };
+
+    fn chime() -> TubeModes {
+        tube_modes(&Tube::D5, &TABLE_1[0].material, COARSE, Band::AUDIBLE).unwrap()
+    }
+
+    /// The whole mesh, solved and summed over its triangles as the paper does.
+    #[test]
+    fn couplings_are_those_of_the_whole_mesh() {
+        let mesh = tube_hex20(&Tube::D5, COARSE.grid(&Tube::D5));
+        let pencil = assemble(&mesh, &TABLE_1[0].material, TetMass::Consistent).unwrap();
+        let band = Band {
+            high_hz: 5_000.0,
+            ..Band::AUDIBLE
+        };
+        let whole = modes_in_band(&pencil, band).unwrap();
+        let surface = mesh.surface();
+        let sector = chime();
+        for (mode, judge) in sector.modes.iter().zip(&whole.modes) {
+            assert!((mode.hz / judge.hz - 1.0).abs() < 1e-8, "{}", mode.label);
+            let area = rectified_area(&mesh.nodes, &surface, &judge.vector);
+            let expected = coupling(area, judge.hz);
+            // Wall modes of nearly the same frequency may mix in the whole mesh; twist is silent.
+            if mode.label.family == Family::Bending {
+                let error = mode.coupling / expected - 1.0;
+                assert!(error.abs() < 0.013, "{}: {error}", mode.label);
+            }
+        }
+    }
+
+    #[test]
+    fn shapes_on_the_line_are_those_of_a_beam() {
+        let body = chime();
+        let first = &body.modes[0];
+        assert_eq!(first.label.to_string(), "bending 1 a");
+        let ends = [first.shape[0][0], first.shape[body.line.len() - 1][0]];
+        assert!((ends[0] - ends[1]).abs() < 1e-4 * ends[0].abs());
+        // Mass-normalised, a thin free beam moves 2/√m at its ends (Blevins 1979, table 8-1).
+        let mass_kg = Tube::D5.volume_m3() * TABLE_1[0].material.density_kg_m3;
+        let expected = 2.0 / mass_kg.sqrt();
+        assert!(
+            (f64::from(ends[0].abs()) / expected - 1.0).abs() < 0.02,
+            "{ends:?} {expected}"
+        );
+    }
+
+    #[test]
+    fn partners_share_a_frequency_and_split_the_motion() {
+        let body = chime();
+        for pair in body.modes.windows(2) {
+            if pair[0].label.member == Member::A {
+                assert_eq!(pair[1].label.member, Member::B);
+                assert_eq!(pair[0].hz, pair[1].hz);
+                assert!(pair[0].shape.iter().all(|u| u[1] == 0.0));
+                assert!(pair[1].shape.iter().all(|u| u[0] == 0.0 && u[2] == 0.0));
+            }
+        }
+        let torsion = body
+            .modes
+            .iter()
+            .find(|m| m.label.family == Family::Torsion)
+            .unwrap();
+        // √(μ/ρ)/2L: twist is exact in a round section.
+        let expected = (TABLE_1[0].material.mu_pa / 2700.0).sqrt() / (2.0 * Tube::D5.length_m);
+        assert!((torsion.hz / expected - 1.0).abs() < 1e-4, "{}", torsion.hz);
     }
 }

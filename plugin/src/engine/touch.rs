@@ -29,8 +29,10 @@ impl Touch {
 
 /// A velocity in 0…1; NaN is taken as 0.
 fn sane_velocity(velocity: f32) -> f64 {
-    // `max` and `min` rather than `clamp`, because they turn NaN into a bound.
-    f64::from(velocity.max(0.0).min(1.0))
+    if velocity.is_nan() {
+        return 0.0;
+    }
+    f64::from(velocity.clamp(0.0, 1.0))
 }
 
 /// Folds back at the ends of the line.
@@ -39,7 +41,7 @@ fn reflect(position: f64) -> f64 {
     if folded > 1.0 { 2.0 - folded } else { folded }.clamp(0.0, 1.0)
 }
 
-/// A number in −1…1 that depends on nothing but its arguments (the finaliser of SplitMix64, Steele
+/// A number in −1…1 that depends on nothing but its arguments (the finaliser of `SplitMix64`, Steele
 /// et al. 2014), so that a song renders the same every time.
 pub(crate) fn chance(key: u8, position: u64) -> f64 {
     let mut z = position.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (u64::from(key) << 56);

@@ -242,7 +242,7 @@ pub(crate) fn db(ratio: f64) -> f64 {
     20.0 * ratio.log10()
 }
 
-/// Random numbers for tests (SplitMix64, Steele et al. 2014).
+/// Random numbers for tests (`SplitMix64`, Steele et al. 2014).
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {

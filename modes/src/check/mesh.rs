@@ -1,0 +1,140 @@
+//! Convergence of both elements, and the reduced sector against the whole mesh.
+
+use super::{CHIME, CheckError, Row, SHIPPED, aluminium};
+use crate::fem::{CyclicTube, TetMass, assemble};
+use crate::mesh::{TubeGrid, tube_hex20, tube_tet4};
+use crate::shape::Tube;
+use crate::solve::{Band, count_below, lowest, modes_in_band};
+use crate::tube::{Fineness, tube_modes};
+
+/// A short thick tube: its mesh can be refined in all directions within seconds.
+const THICK: Tube = Tube {
+    outer_radius_m: 0.02,
+    wall_m: 0.01,
+    length_m: 0.2,
+};
+
+pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
+    let mut rows = vec![hex_order()?, tet_order()?, halved()?];
+    rows.extend(sector()?);
+    Ok(rows)
+}
+
+/// Order p of an error h^p from values on meshes of sizes h, h/2, h/4.
+fn order([coarse, middle, fine]: [f64; 3]) -> f64 {
+    ((coarse - middle) / (middle - fine)).abs().log2()
+}
+
+fn hex_order() -> Result<Row, CheckError> {
+    let hz = |n: usize| -> Result<f64, CheckError> {
+        let grid = TubeGrid {
+            around: 4 * n,
+            along: 2 * n,
+        };
+        Ok(lowest(
+            &CyclicTube::new(&CHIME, grid, &aluminium())?.pencil(1),
+            1,
+        )?)
+    };
+    Ok(Row::absolute(
+        "20-node hexahedra, order of the error of bending 2",
+        (4.0, order([hz(6)?, hz(12)?, hz(24)?]), ""),
+        0.5,
+        "h^2p for elements of degree p = 2 (Strang & Fix 1973)",
+    ))
+}
+
+fn tet_order() -> Result<Row, CheckError> {
+    let hz = |n: usize| -> Result<f64, CheckError> {
+        let grid = TubeGrid {
+            around: 8 * n,
+            along: 8 * n,
+        };
+        let mesh = tube_tet4(&THICK, grid, n);
+        let pencil = assemble(&mesh, &aluminium(), TetMass::Consistent)?;
+        Ok(lowest(&pencil, 0)?)
+    };
+    Ok(Row::absolute(
+        "linear tetrahedra, order of the error of bending 1",
+        (2.0, order([hz(1)?, hz(2)?, hz(4)?]), ""),
+        0.5,
+        "h^2p for elements of degree p = 1 (Strang & Fix 1973)",
+    ))
+}
+
+fn halved() -> Result<Row, CheckError> {
+    let finer = Fineness {
+        around: 2 * SHIPPED.around,
+        max_element_m: 0.5 * SHIPPED.max_element_m,
+    };
+    let band = Band {
+        high_hz: 10_000.0,
+        ..Band::AUDIBLE
+    };
+    let shipped = tube_modes(&CHIME, &aluminium(), SHIPPED, band)?;
+    let fine = tube_modes(&CHIME, &aluminium(), finer, band)?;
+    let cents = shipped
+        .modes
+        .iter()
+        .map(|mode| {
+            let twin = fine.modes.iter().find(|other| other.label == mode.label);
+            twin.map_or(f64::NAN, |twin| 1200.0 * (mode.hz / twin.hz).log2().abs())
+        })
+        // `max` would drop a NaN.
+        .fold(
+            0.0,
+            |worst: f64, cents| if cents <= worst { worst } else { cents },
+        );
+    Ok(Row::absolute(
+        "0.505 m chime, mesh halved: greatest move of a mode below 10 kHz",
+        (0.0, cents, "cents"),
+        3.0,
+        "convergence",
+    ))
+}
+
+fn sector() -> Result<Vec<Row>, CheckError> {
+    let grid = TubeGrid {
+        around: 12,
+        along: 16,
+    };
+    let whole = assemble(&tube_hex20(&CHIME, grid), &aluminium(), TetMass::Consistent)?;
+    let judge = modes_in_band(&whole, Band::AUDIBLE)?;
+    let sector = CyclicTube::new(&CHIME, grid, &aluminium())?;
+    let (mut hz, mut counted) = (Vec::new(), 0);
+    for m in sector.harmonics() {
+        let pencil = sector.pencil(m);
+        let members = if m == 0 { 1 } else { 2 };
+        counted += members * count_below(&pencil, Band::AUDIBLE.high_hz);
+        for mode in modes_in_band(&pencil, Band::AUDIBLE)?.modes {
+            hz.extend(std::iter::repeat_n(mode.hz, members));
+        }
+    }
+    hz.sort_by(f64::total_cmp);
+    let pairs = hz.iter().zip(&judge.modes);
+    let cents = pairs.fold(0.0, |worst: f64, (hz, mode)| {
+        let cents = 1200.0 * (hz / mode.hz).log2().abs();
+        if cents <= worst { worst } else { cents }
+    });
+    let source = "the same mesh whole, general sparse path";
+    Ok(vec![
+        Row::absolute(
+            "one sector, 12 × 16 cells: eigenvalues below 20 kHz by inertia",
+            (judge.counted as f64, counted as f64, ""),
+            0.0,
+            source,
+        ),
+        Row::absolute(
+            "one sector, 12 × 16 cells: modes found",
+            (judge.modes.len() as f64, hz.len() as f64, ""),
+            0.0,
+            source,
+        ),
+        Row::absolute(
+            "one sector, 12 × 16 cells: greatest difference of a mode",
+            (0.0, cents, "cents"),
+            1e-4,
+            source,
+        ),
+    ])
+}
