@@ -7,7 +7,6 @@ pub mod settings;
 pub mod spectrogram;
 
 mod banks;
-mod check;
 mod output;
 mod progress;
 mod table;

@@ -18,7 +18,7 @@ impl Progress for Bar {
 pub(crate) fn with_bar<R>(name: &str, work: impl FnOnce(&dyn Progress) -> R) -> R {
     let bar = ProgressBar::new(0);
     if let Ok(style) =
-        ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} bodies, {elapsed}, {eta} left")
+        ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len}, {elapsed}, {eta} left")
     {
         bar.set_style(style);
     }

@@ -39,10 +39,11 @@ impl<const N: usize> Table<N> {
     }
 
     fn is_numeric(&self, column: usize) -> bool {
-        let mut cells = self.rows[1..].iter().map(|row| row[column].trim());
-        cells.all(|cell| {
-            cell.is_empty() || cell.starts_with(|c: char| c.is_ascii_digit() || "+-−".contains(c))
-        })
+        let cells = self.rows[1..].iter().map(|row| row[column].as_str());
+        let mut written = cells.filter(|cell| !cell.is_empty()).peekable();
+        let number =
+            |cell: &str| cell.starts_with(|c: char| c.is_ascii_digit() || "+-−".contains(c));
+        written.peek().is_some() && written.all(number)
     }
 }
 

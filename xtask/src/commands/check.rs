@@ -1,10 +1,11 @@
 //! `check`: the physics beside theory and published tables.
 
-use crate::check::{self, Row};
+use crate::progress;
 use crate::table::Table;
 use crate::whole::whole;
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use clap::Args;
+use modes::check::{GROUPS, Row};
 use serde::Serialize;
 
 /// Arguments of `check`.
@@ -25,7 +26,14 @@ struct Rows<'a> {
 
 impl Check {
     pub(super) fn run(&self) -> Result<()> {
-        let rows = check::rows()?;
+        let rows = progress::with_bar("checks", |bar| -> Result<Vec<Row>> {
+            let mut rows = Vec::new();
+            for (done, (name, group)) in GROUPS.iter().enumerate() {
+                rows.extend(group().with_context(|| (*name).to_owned())?);
+                let _ = bar.advance(done + 1, GROUPS.len());
+            }
+            Ok(rows)
+        })?;
         if self.json {
             println!("{}", serde_json::to_string_pretty(&Rows { rows: &rows })?);
         } else {
@@ -60,11 +68,11 @@ fn markdown(rows: &[Row]) -> String {
             row.name.clone(),
             number(row.reference),
             number(row.value),
-            row.unit.clone(),
+            row.unit.to_owned(),
             number(row.error),
             number(row.bound),
             if row.ok { "yes" } else { "**no**" }.to_owned(),
-            row.source.clone(),
+            row.source.to_owned(),
         ]);
     }
     table.text(true)
@@ -111,11 +119,11 @@ mod tests {
             name: "a".to_owned(),
             reference: 1.0,
             value: 2.0,
-            unit: "Hz".to_owned(),
+            unit: "Hz",
             error: 1.0,
             bound: 0.1,
             ok: false,
-            source: "b".to_owned(),
+            source: "b",
         };
         let json = serde_json::to_value(Rows { rows: &[row] }).unwrap();
         let expected = serde_json::json!({"rows": [{
