@@ -66,8 +66,9 @@ fn rule(width: usize, right: bool) -> String {
 
 fn push_line<const N: usize>(text: &mut String, cells: &[String; N], markdown: bool) {
     if markdown {
+        let escaped = cells.each_ref().map(|cell| cell.replace('|', "\\|"));
         text.push_str("| ");
-        text.push_str(&cells.join(" | "));
+        text.push_str(&escaped.join(" | "));
         text.push_str(" |\n");
     } else {
         text.push_str(cells.join("  ").trim_end());

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 mod parameters;
+mod partials;
 mod playing;
 mod scan;
 mod silence;
