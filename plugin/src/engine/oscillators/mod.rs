@@ -6,7 +6,7 @@ mod vector;
 use super::GRID;
 use super::bessel::ORDERS;
 use super::contact::Contact;
-use pulp::Arch;
+use pulp::{Arch, WithSimd};
 
 /// Modes are padded to a multiple of this, the widest vector of doubles.
 pub(crate) const LANES: usize = 8;
@@ -67,6 +67,11 @@ impl Kernel {
     /// Without fused multiply-add in hardware the vector code would call a library for each.
     fn is_scalar(self) -> bool {
         matches!(self.0, Arch::Scalar)
+    }
+
+    /// Runs a plain loop compiled for this machine's vectors; same bits as without.
+    pub(crate) fn run(self, task: impl WithSimd<Output = ()>) {
+        self.0.dispatch(task);
     }
 
     /// Writes Σy for each sample to `out` (at most [`GRID`] samples) and moves on.
