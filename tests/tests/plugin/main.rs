@@ -1,0 +1,10 @@
+//! The built plug-in in a CLAP host.
+
+#![expect(clippy::unwrap_used, reason = "tests fail by panicking")]
+
+mod parameters;
+mod playing;
+mod scan;
+mod silence;
+mod state;
+mod storm;

@@ -1,0 +1,73 @@
+//! The commands, one to a file.
+
+mod bank;
+mod bundle;
+mod check;
+mod demo;
+mod export;
+mod install;
+mod params;
+mod precompute;
+mod render;
+mod spectrogram;
+
+pub use bank::Bank;
+pub use bundle::Bundle;
+pub use check::Check;
+pub use demo::Demo;
+pub use export::Export;
+pub use install::Install;
+pub use params::Params;
+pub use precompute::Precompute;
+pub use render::Render;
+pub use spectrogram::Spectrogram;
+
+use anyhow::Result;
+use clap::Subcommand;
+
+/// What `cargo xtask` can be asked to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Do all of it: compute, bundle, play a short piece, draw its spectrogram
+    Demo(Demo),
+    /// Compute the banks that are missing or out of date
+    Precompute(Precompute),
+    /// Build the plug-in as CLAP and VST3
+    Bundle(Bundle),
+    /// Bundle, and copy into the plug-in folders of this user
+    Install(Install),
+    /// Play a MIDI file through the plug-in into a WAV file (32-bit float, stereo)
+    Render(Render),
+    /// List the plug-in's parameters
+    Params(Params),
+    /// Show what is in a bank
+    Bank(Bank),
+    /// Write a body's stiffness and mass matrices as Matrix Market files
+    Export(Export),
+    /// Compare the physics with theory and with published tables
+    Check(Check),
+    /// Draw a WAV file's spectrogram
+    Spectrogram(Spectrogram),
+}
+
+impl Command {
+    /// Does it.
+    ///
+    /// # Errors
+    ///
+    /// One line that says what is wrong, where, and what is allowed.
+    pub fn run(&self) -> Result<()> {
+        match self {
+            Self::Demo(command) => command.run(),
+            Self::Precompute(command) => command.run(),
+            Self::Bundle(command) => command.run(),
+            Self::Install(command) => command.run(),
+            Self::Render(command) => command.run(),
+            Self::Params(command) => command.run(),
+            Self::Bank(command) => command.run(),
+            Self::Export(command) => command.run(),
+            Self::Check(command) => command.run(),
+            Self::Spectrogram(command) => command.run(),
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! `bank`: what is in a bank.
+
+use crate::banks;
+use crate::table::Table;
+use anyhow::Result;
+use clap::Args;
+use modes::{Body, Mode, Rayleigh, t60_s};
+use serde::Serialize;
+
+/// Arguments of `bank`.
+#[derive(Args, Debug)]
+pub struct Bank {
+    /// Name of the bank, or a recipe's file
+    #[arg(value_name = "NAME")]
+    pub name: String,
+    /// Only the body of this MIDI key, with its modes
+    #[arg(long, value_name = "N")]
+    pub key: Option<u8>,
+    /// Write JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Serialize)]
+struct BankJson {
+    name: String,
+    material: modes::Material,
+    damping: Rayleigh,
+    keys: Vec<KeyJson>,
+}
+
+#[derive(Serialize)]
+struct KeyJson {
+    key: u8,
+    pitch_hz: f64,
+    length_m: f64,
+    mass_kg: f64,
+    modes: Vec<ModeJson>,
+}
+
+#[derive(Serialize)]
+struct ModeJson {
+    hz: f64,
+    decay_per_s: f64,
+    t60_s: f64,
+    label: String,
+    coupling: f64,
+    residual: f64,
+}
+
+impl Bank {
+    pub(super) fn run(&self) -> Result<()> {
+        let bank = banks::precompute(&self.name, false)?.bank;
+        print!("{}", self.text(&bank)?);
+        Ok(())
+    }
+
+    fn text(&self, bank: &modes::Bank) -> Result<String> {
+        let body = self.key.map(|key| banks::body(bank, key)).transpose()?;
+        match (body, self.json) {
+            (Some(body), true) => json(&KeyJson::new(body, bank.damping)),
+            (Some(body), false) => Ok(modes_table(body, bank.damping)),
+            (None, true) => json(&BankJson::new(bank)),
+            (None, false) => Ok(keys_table(bank)),
+        }
+    }
+}
+
+impl BankJson {
+    fn new(bank: &modes::Bank) -> Self {
+        let key = |body| KeyJson::new(body, bank.damping);
+        Self {
+            name: bank.name.clone(),
+            material: bank.material,
+            damping: bank.damping,
+            keys: bank.bodies.iter().map(key).collect(),
+        }
+    }
+}
+
+impl KeyJson {
+    fn new(body: &Body, damping: Rayleigh) -> Self {
+        Self {
+            key: body.key,
+            pitch_hz: body.pitch_hz,
+            length_m: body.length_m,
+            mass_kg: body.mass_kg,
+            modes: body
+                .modes
+                .iter()
+                .map(|m| ModeJson::new(m, damping))
+                .collect(),
+        }
+    }
+}
+
+impl ModeJson {
+    fn new(mode: &Mode, damping: Rayleigh) -> Self {
+        let decay_per_s = damping.decay_per_s(mode.hz);
+        Self {
+            hz: mode.hz,
+            decay_per_s,
+            t60_s: t60_s(decay_per_s),
+            label: mode.label.to_string(),
+            coupling: mode.coupling,
+            residual: mode.residual,
+        }
+    }
+}
+
+fn json(value: &impl Serialize) -> Result<String> {
+    Ok(serde_json::to_string_pretty(value)? + "\n")
+}
+
+fn keys_table(bank: &modes::Bank) -> String {
+    let mut table = Table::new(["key", "note", "Hz", "mm", "g", "modes", "T60 of pitch s"]);
+    for body in &bank.bodies {
+        table.push([
+            body.key.to_string(),
+            note(body.key),
+            format!("{:.2}", body.pitch_hz),
+            format!("{:.2}", 1e3 * body.length_m),
+            format!("{:.1}", 1e3 * body.mass_kg),
+            body.modes.len().to_string(),
+            format!("{:.2}", t60_s(bank.damping.decay_per_s(body.pitch_hz))),
+        ]);
+    }
+    table.text(false)
+}
+
+fn modes_table(body: &Body, damping: Rayleigh) -> String {
+    let mut table = Table::new(["mode", "Hz", "decay 1/s", "T60 s", "coupling", "residual"]);
+    for mode in &body.modes {
+        let mode = ModeJson::new(mode, damping);
+        table.push([
+            mode.label,
+            format!("{:.3}", mode.hz),
+            format!("{:.4}", mode.decay_per_s),
+            format!("{:.3}", mode.t60_s),
+            format!("{:.4}", mode.coupling),
+            format!("{:.1e}", mode.residual),
+        ]);
+    }
+    table.text(false)
+}
+
+/// A MIDI key's name, 60 being C4.
+fn note(key: u8) -> String {
+    const NAMES: [&str; 12] = [
+        "C", "C♯", "D", "E♭", "E", "F", "F♯", "G", "A♭", "A", "B♭", "B",
+    ];
+    let octave = i32::from(key / 12) - 1;
+    format!("{}{octave}", NAMES[usize::from(key % 12)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use modes::{Family, Material, Member, ModeLabel, StrikeLine};
+
+    fn bank() -> modes::Bank {
+        let label = ModeLabel {
+            family: Family::Bending,
+            order: 1,
+            index: 1,
+            member: Member::A,
+        };
+        let mode = Mode {
+            hz: 587.33,
+            coupling: 2.0,
+            residual: 1e-12,
+            label,
+            shape: Vec::new(),
+        };
+        let line = StrikeLine {
+            points_m: Vec::new(),
+            normals: Vec::new(),
+        };
+        let body = Body {
+            key: 74,
+            pitch_hz: 587.33,
+            length_m: 0.505,
+            mass_kg: 0.2,
+            line,
+            modes: vec![mode],
+        };
+        modes::Bank {
+            name: "chimes".to_owned(),
+            material: Material::from_young(70e9, 0.33, 2700.0).unwrap(),
+            damping: Rayleigh {
+                alpha1_s: 0.0,
+                alpha2_per_s: 2.0,
+            },
+            provenance: modes::Provenance::default(),
+            bodies: vec![body],
+        }
+    }
+
+    fn text(key: Option<u8>, json: bool) -> Result<String> {
+        let name = "chimes".to_owned();
+        Bank { name, key, json }.text(&bank())
+    }
+
+    #[test]
+    fn json_has_the_shape_that_scripts_read() {
+        let key: serde_json::Value = serde_json::from_str(&text(Some(74), true).unwrap()).unwrap();
+        assert_eq!(key["key"], 74);
+        let mode = &key["modes"][0];
+        assert_eq!(mode["hz"], 587.33);
+        assert_eq!(mode["decay_per_s"], 1.0);
+        assert_eq!(mode["t60_s"], 1000f64.ln());
+        assert_eq!(mode["label"], "bending 1 a");
+        let all: serde_json::Value = serde_json::from_str(&text(None, true).unwrap()).unwrap();
+        assert_eq!(all["name"], "chimes");
+        assert_eq!(all["keys"][0], key);
+    }
+
+    #[test]
+    fn a_key_outside_the_bank_is_refused() {
+        let error = text(Some(7), false).unwrap_err().to_string();
+        assert!(
+            error.contains("--key 7") && error.contains("74…74"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn keys_are_named_as_midi_names_them() {
+        assert_eq!(note(74), "D5");
+        assert_eq!(note(60), "C4");
+        assert_eq!(note(0), "C-1");
+    }
+}

@@ -1,0 +1,135 @@
+//! `check`: the physics beside theory and published tables.
+
+use crate::progress;
+use crate::table::Table;
+use crate::whole::whole;
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use modes::check::{GROUPS, Row};
+use serde::Serialize;
+
+/// Arguments of `check`.
+#[derive(Args, Debug)]
+pub struct Check {
+    /// Write JSON
+    #[arg(long, conflicts_with = "markdown")]
+    pub json: bool,
+    /// Write a table in Markdown, as without any option
+    #[arg(long)]
+    pub markdown: bool,
+}
+
+#[derive(Serialize)]
+struct Rows<'a> {
+    rows: &'a [Row],
+}
+
+impl Check {
+    pub(super) fn run(&self) -> Result<()> {
+        let rows = progress::with_bar("checks", |bar| -> Result<Vec<Row>> {
+            let mut rows = Vec::new();
+            for (done, (name, group)) in GROUPS.iter().enumerate() {
+                rows.extend(group().with_context(|| (*name).to_owned())?);
+                let _ = bar.advance(done + 1, GROUPS.len());
+            }
+            Ok(rows)
+        })?;
+        if self.json {
+            println!("{}", serde_json::to_string_pretty(&Rows { rows: &rows })?);
+        } else {
+            print!("{}", markdown(&rows));
+        }
+        let wrong: Vec<_> = rows.iter().filter(|row| !row.ok).collect();
+        if let Some(first) = wrong.first() {
+            bail!(
+                "{} of {} comparisons are out of bounds, first: {}",
+                wrong.len(),
+                rows.len(),
+                first.name
+            );
+        }
+        Ok(())
+    }
+}
+
+fn markdown(rows: &[Row]) -> String {
+    let mut table = Table::new([
+        "what",
+        "reference",
+        "computed",
+        "unit",
+        "error",
+        "bound",
+        "ok",
+        "source",
+    ]);
+    for row in rows {
+        table.push([
+            row.name.clone(),
+            number(row.reference),
+            number(row.value),
+            row.unit.to_owned(),
+            number(row.error),
+            number(row.bound),
+            if row.ok { "yes" } else { "**no**" }.to_owned(),
+            row.source.to_owned(),
+        ]);
+    }
+    table.text(true)
+}
+
+/// Six significant digits, without an exponent where that is as short.
+fn number(value: f64) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    let magnitude = value.abs();
+    if magnitude != 0.0 && !(1e-3..1e7).contains(&magnitude) {
+        return format!("{value:.2e}");
+    }
+    let whole_digits = whole(magnitude.max(1.0).log10()) + 1;
+    let text = format!("{value:.*}", 6usize.saturating_sub(whole_digits));
+    if text.contains('.') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        for (value, text) in [
+            (587.330_1, "587.33"),
+            (0.0, "0"),
+            (-0.25, "-0.25"),
+            (1e-9, "1.00e-9"),
+            (18796.0, "18796"),
+            (f64::NAN, "–"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+
+    #[test]
+    fn json_has_the_shape_that_scripts_read() {
+        let row = Row {
+            name: "a".to_owned(),
+            reference: 1.0,
+            value: 2.0,
+            unit: "Hz",
+            error: 1.0,
+            bound: 0.1,
+            ok: false,
+            source: "b",
+        };
+        let json = serde_json::to_value(Rows { rows: &[row] }).unwrap();
+        let expected = serde_json::json!({"rows": [{
+            "name": "a", "reference": 1.0, "value": 2.0, "unit": "Hz",
+            "error": 1.0, "bound": 0.1, "ok": false, "source": "b",
+        }]});
+        assert_eq!(json, expected);
+    }
+}

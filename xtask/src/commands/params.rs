@@ -1,0 +1,51 @@
+//! `params`: the plug-in's parameters as a table.
+
+use super::bundle;
+use crate::host::{Library, Param, Plugin};
+use crate::table::Table;
+use anyhow::Result;
+use clap::Args;
+use std::path::PathBuf;
+
+/// Arguments of `params`.
+#[derive(Args, Debug)]
+pub struct Params {
+    /// Write the table in Markdown
+    #[arg(long)]
+    pub markdown: bool,
+    /// Another plug-in than the bundled one, which is built first if it is missing
+    #[arg(long, value_name = "FILE.clap")]
+    pub plugin: Option<PathBuf>,
+}
+
+impl Params {
+    pub(super) fn run(&self) -> Result<()> {
+        let path = match &self.plugin {
+            Some(path) => path.clone(),
+            None => bundle::bundled_clap()?,
+        };
+        let mut plugin = Library::open(&path)?.instantiate()?;
+        let mut table = Table::new(["parameter", "group", "from", "to", "default", "automatable"]);
+        for param in plugin.params().iter().filter(|param| !param.hidden) {
+            table.push(row(&mut plugin, param));
+        }
+        print!("{}", table.text(self.markdown));
+        Ok(())
+    }
+}
+
+fn row(plugin: &mut Plugin, param: &Param) -> [String; 6] {
+    let mut text = |value: f64| {
+        plugin
+            .text(param.id, value)
+            .unwrap_or_else(|| value.to_string())
+    };
+    [
+        param.name.clone(),
+        param.module.clone(),
+        text(param.min),
+        text(param.max),
+        text(param.default),
+        if param.automatable { "yes" } else { "no" }.to_owned(),
+    ]
+}

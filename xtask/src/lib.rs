@@ -1,0 +1,16 @@
+//! Commands over the solver and the plug-in, and the CLAP host that they and the tests share.
+
+pub mod commands;
+pub mod host;
+pub mod midi;
+pub mod settings;
+pub mod spectrogram;
+
+mod banks;
+mod output;
+mod progress;
+mod table;
+mod whole;
+mod workspace;
+
+pub use workspace::target_dir;

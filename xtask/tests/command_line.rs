@@ -1,0 +1,128 @@
+//! What the commands say to bad input: one line, what is wrong, what is allowed, nothing written.
+
+#![expect(clippy::unwrap_used, reason = "tests fail by panicking")]
+
+use std::path::Path;
+use std::process::Command;
+
+/// What `cargo xtask` writes to standard error, having failed.
+fn complaint(arguments: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
+        .args(arguments)
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert!(!output.status.success(), "{arguments:?}: {text}");
+    assert_eq!(text.trim_end().lines().count(), 1, "{text}");
+    text
+}
+
+fn assert_says(arguments: &[&str], parts: &[&str]) {
+    let text = complaint(arguments);
+    for part in parts {
+        assert!(text.contains(part), "{arguments:?}: {text}");
+    }
+}
+
+fn song() -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    root.join("songs/chimes.mid").to_str().unwrap().to_owned()
+}
+
+#[test]
+fn render_refuses_numbers_out_of_range() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out.wav");
+    let (song, path) = (song(), out.to_str().unwrap());
+    let cases = [
+        (["--rate", "0"], "8000…384000 Hz"),
+        (["--rate", "1000000"], "8000…384000 Hz"),
+        (["--block", "0"], "1…65536 frames"),
+        (["--tail", "-1"], "0…600 s"),
+        (["--tail", "nan"], "0…600 s"),
+    ];
+    for (option, allowed) in cases {
+        assert_says(
+            &["render", &song, path, option[0], option[1]],
+            &[option[0], option[1], allowed],
+        );
+    }
+    assert_says(
+        &["render", &song, path, "--rate", "fast"],
+        &["--rate", "fast"],
+    );
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn render_refuses_what_is_no_song() {
+    let dir = tempfile::tempdir().unwrap();
+    let fake = dir.path().join("fake.mid");
+    std::fs::write(&fake, "RIFF").unwrap();
+    let fake = fake.to_str().unwrap();
+    let out = dir.path().join("out.wav");
+    let out = out.to_str().unwrap();
+    assert_says(&["render", fake, out], &["fake.mid", "not a MIDI file"]);
+    assert_says(
+        &["render", "missing.mid", out],
+        &["missing.mid", "cannot read"],
+    );
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn render_refuses_a_place_it_cannot_write() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("missing/out.wav");
+    let out = out.to_str().unwrap();
+    assert_says(
+        &["render", &song(), out],
+        &["missing/out.wav", "cannot write"],
+    );
+    let folder = dir.path().to_str().unwrap();
+    assert_says(&["render", &song(), folder], &["is a directory"]);
+}
+
+#[test]
+fn render_refuses_what_is_no_plug_in() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out.wav");
+    let out = out.to_str().unwrap();
+    let song = song();
+    assert_says(
+        &["render", &song, out, "--plugin", &song],
+        &["chimes.mid", "not a CLAP plug-in"],
+    );
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn banks_and_recipes_are_named_when_they_are_wrong() {
+    assert_says(&["bank", "gong"], &["gong", "allowed", "chimes"]);
+    assert_says(&["precompute", "gong"], &["gong", "allowed", "chimes"]);
+    assert_says(
+        &["export", "gong", "--key", "74", "."],
+        &["gong", "allowed"],
+    );
+    assert_says(&["bank", "chimes", "--key", "900"], &["--key", "900"]);
+    let dir = tempfile::tempdir().unwrap();
+    let recipe = dir.path().join("thin.toml");
+    let text = include_str!("../../recipes/chimes.toml");
+    let line = "wall_m = 0.001";
+    assert!(text.contains(line));
+    std::fs::write(&recipe, text.replace(line, "wall_m = -0.001")).unwrap();
+    assert_says(
+        &["precompute", recipe.to_str().unwrap()],
+        &["thin.toml", "wall_m", "-0.001"],
+    );
+}
+
+#[test]
+fn spectrogram_refuses_what_is_no_sound() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out.png");
+    let out = out.to_str().unwrap();
+    assert_says(&["spectrogram", &song(), out], &["chimes.mid"]);
+    assert_says(&["spectrogram", "missing.wav", out], &["missing.wav"]);
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+}
