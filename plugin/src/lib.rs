@@ -10,7 +10,6 @@ pub mod params;
 mod player;
 
 use engine::Engine;
-use modes::Bank;
 use nice_plug::prelude::{
     ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,
     ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, ProcessContext, ProcessStatus,
@@ -18,19 +17,13 @@ use nice_plug::prelude::{
 };
 use params::Controls;
 use player::Player;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// The plug-in.
 #[derive(Default)]
 pub struct Idiophone {
     controls: Arc<Controls>,
     player: Option<Player>,
-}
-
-/// The factory bank, read once for all instances.
-fn bank() -> &'static Bank {
-    static BANK: OnceLock<Bank> = OnceLock::new();
-    BANK.get_or_init(factory::chimes)
 }
 
 impl Plugin for Idiophone {
@@ -66,7 +59,7 @@ impl Plugin for Idiophone {
         _context: &mut impl ActivateContext<Self>,
     ) -> bool {
         self.player = Some(Player::new(Engine::new(
-            bank(),
+            factory::chimes(),
             f64::from(buffer.sample_rate),
         )));
         true

@@ -207,7 +207,7 @@ mod tests {
     }
 
     fn player() -> Player {
-        Player::new(Engine::new(&crate::factory::chimes(), 48_000.0))
+        Player::new(Engine::new(crate::factory::chimes(), 48_000.0))
     }
 
     fn play(player: &mut Player, frames: usize, events: Vec<Event>) -> (Vec<f32>, Vec<(u32, i32)>) {

@@ -57,7 +57,7 @@ fn a_node_silences_its_mode() {
         };
         let drop = db(level(low) / level(0.0));
         println!("mode {k} at {low:.4}: {drop:.1} dB");
-        assert!(drop < -60.0, "mode {k} at {low}: {drop} dB");
+        assert!(drop < -120.0, "mode {k} at {low}: {drop} dB");
     }
 }
 
@@ -129,7 +129,7 @@ fn strikes_add_up() {
         .map(|n| (together[n] - alone.iter().map(|a| a[n]).sum::<f64>()).abs())
         .fold(0.0, f64::max);
     println!("superposition {:.1} dB", db(worst / peak));
-    assert!(db(worst / peak) < -120.0, "{} dB", db(worst / peak));
+    assert!(db(worst / peak) < -138.0, "{} dB", db(worst / peak));
 }
 
 /// One event of a busy song.

@@ -99,6 +99,9 @@ pub fn modes_in_band(pencil: &Pencil, band: Band) -> Result<Solution, SolveError
     }
     let symbolic = Symbolic::new(pencil);
     let counted = symbolic.count_below(pencil, top);
+    if counted == 0 {
+        return finish(pencil, band, &[], &[], Solver::Lanczos { subspace: 0 });
+    }
     let shift = -(TAU * SHIFT_HZ).powi(2);
     let factor = symbolic.cholesky(pencil, shift)?;
     let mut lanczos = Lanczos::new(pencil, &factor, shift, BLOCK);

@@ -1,7 +1,7 @@
 //! One object: its modes, and how they wake, change and fall asleep.
 
 use super::oscillators::{Kernel, Oscillators, Push, Uptake};
-use super::rates::{Rates, uptake};
+use super::rates::{Rates, Retune, uptake};
 use super::{GRID, contact::Contact};
 use modes::{Rayleigh, Stencil};
 
@@ -115,15 +115,16 @@ impl Body {
     }
 
     /// Gives the modes this damping, if they have another.
-    pub(crate) fn tune(&mut self, damping: Rayleigh, extra_per_s: f64) {
+    pub(crate) fn tune(&mut self, kernel: Kernel, damping: Rayleigh, extra_per_s: f64) {
         let wanted = Some((damping, extra_per_s));
         if self.tuned != wanted {
-            self.rates.apply(
+            kernel.run(Retune {
+                rates: &self.rates,
                 damping,
                 extra_per_s,
-                &mut self.oscillators,
-                &mut self.inverse_omega_s,
-            );
+                oscillators: &mut self.oscillators,
+                inverse_omega_s: &mut self.inverse_omega_s,
+            });
             self.tuned = wanted;
         }
     }

@@ -44,6 +44,7 @@ impl Contact {
     }
 
     /// Works out the moments of the next `samples` samples of `step_s` and counts them as gone by.
+    #[inline(always)]
     pub(crate) fn prepare(&mut self, samples: usize, step_s: f64) {
         for n in 0..samples {
             let moments = self.pulse.moments(f64::from(self.elapsed) * step_s, step_s);
@@ -63,6 +64,24 @@ impl Contact {
     /// Impulse still to come, in N·s.
     pub(crate) fn left_n_s(&self) -> f64 {
         self.pulse.impulse_n_s - self.given_n_s
+    }
+}
+
+/// The moments of all contacts for the next samples, as a task for a kernel.
+pub(crate) struct Prepare<'a> {
+    pub(crate) contacts: &'a mut [Contact],
+    pub(crate) samples: usize,
+    pub(crate) step_s: f64,
+}
+
+impl pulp::WithSimd for Prepare<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        for contact in self.contacts.iter_mut().filter(|c| c.key.is_some()) {
+            contact.prepare(self.samples, self.step_s);
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! A body for each key, and their mix.
 
 use super::body::Body;
-use super::contact::{Contact, slot_for_next};
+use super::contact::{Contact, Prepare, slot_for_next};
 use super::damper::{Damper, bit};
 use super::glide::Glide;
 use super::level::full_scale;
@@ -209,7 +209,7 @@ impl Engine {
         };
         if self.awake & bit(key) == 0 {
             self.awake |= bit(key);
-            body.tune(self.glides.damping(), 0.0);
+            body.tune(self.kernel, self.glides.damping(), 0.0);
             body.ears = [self.glides.ears(self.places[usize::from(key)]); 2];
         }
         let contact = &mut self.contacts[slot];
@@ -308,6 +308,7 @@ impl Engine {
                 continue;
             };
             body.tune(
+                self.kernel,
                 damping,
                 self.damper.decay_per_s(key, self.settings.note_off_damps),
             );
@@ -346,9 +347,11 @@ impl Engine {
         }
         let run = left.len();
         if self.on_bodies > 0 {
-            for contact in self.contacts.iter_mut().filter(|c| c.key.is_some()) {
-                contact.prepare(run, self.step_s);
-            }
+            self.kernel.run(Prepare {
+                contacts: &mut self.contacts,
+                samples: run,
+                step_s: self.step_s,
+            });
         }
         let mut mix = [[0.0; 2]; GRID];
         let mut mono = [0.0; GRID];

@@ -18,15 +18,35 @@ pub(crate) struct Pulse {
 /// τ / ∫₀^τ sin^(3/2)(πt/τ) dt = √π Γ(7/4) / Γ(5/4), with Γ from Abramowitz & Stegun, table 6.1.
 const CREST: f64 = 1.772_453_850_905_516 * 0.919_062_526_848_883 / 0.906_402_477_055_477;
 
-/// Gauss-Legendre abscissae and weights, 8 points (Abramowitz & Stegun, table 25.4).
-const NODES: [(f64, f64); 4] = [
-    (0.183_434_642_495_650, 0.362_683_783_378_362),
-    (0.525_532_409_916_329, 0.313_706_645_877_887),
-    (0.796_666_477_413_627, 0.222_381_034_453_374),
-    (0.960_289_856_497_536, 0.101_228_536_290_376),
+/// Points of the quadrature over a sample.
+const POINTS: usize = 8;
+
+/// Gauss-Legendre abscissae for 8 points (Abramowitz & Stegun, table 25.4).
+const NODES: [f64; POINTS] = [
+    -0.960_289_856_497_536,
+    -0.796_666_477_413_627,
+    -0.525_532_409_916_329,
+    -0.183_434_642_495_650,
+    0.183_434_642_495_650,
+    0.525_532_409_916_329,
+    0.796_666_477_413_627,
+    0.960_289_856_497_536,
+];
+
+/// Their weights.
+const WEIGHTS: [f64; POINTS] = [
+    0.101_228_536_290_376,
+    0.222_381_034_453_374,
+    0.313_706_645_877_887,
+    0.362_683_783_378_362,
+    0.362_683_783_378_362,
+    0.313_706_645_877_887,
+    0.222_381_034_453_374,
+    0.101_228_536_290_376,
 ];
 
 /// cos θ for |θ| ≤ π/2 to 10⁻¹²: no call out of the audio loop, and the same on every platform.
+#[inline(always)]
 fn cosine(theta: f64) -> f64 {
     let t = theta * theta;
     let mut sum = 1.0;
@@ -37,39 +57,30 @@ fn cosine(theta: f64) -> f64 {
 }
 
 impl Pulse {
-    /// Force in N at `time_s` after first touch.
+    /// Force in N at `time_s` after first touch; 0 before and after the contact.
+    #[inline(always)]
     pub(crate) fn force_n(&self, time_s: f64) -> f64 {
-        let phase = time_s / self.duration_s;
-        if !(0.0..=1.0).contains(&phase) {
-            return 0.0;
-        }
+        let phase = (time_s / self.duration_s).clamp(0.0, 1.0);
         let sine = cosine(PI * phase - FRAC_PI_2).max(0.0);
         CREST * self.impulse_n_s / self.duration_s * sine * sine.sqrt()
     }
 
     /// Legendre moments Mₖ = ∫ F(s) Pₖ(2(s−start)/step − 1) ds over one sample, in N·s.
+    #[inline(always)]
     pub(crate) fn moments(&self, start_s: f64, step_s: f64) -> [f64; ORDERS] {
         let end = (start_s + step_s).min(self.duration_s);
-        let half = 0.5 * (end - start_s);
-        let mut moments = [0.0; ORDERS];
-        if half <= 0.0 {
-            return moments;
-        }
-        for (node, weight) in NODES.into_iter().flat_map(|(x, w)| [(-x, w), (x, w)]) {
-            let within = half * (1.0 + node);
-            let share = weight * half * self.force_n(start_s + within);
+        let half = (0.5 * (end - start_s)).max(0.0);
+        let mut shares = [[0.0; POINTS]; ORDERS];
+        for i in 0..POINTS {
+            let within = half * (1.0 + NODES[i]);
+            let share = WEIGHTS[i] * half * self.force_n(start_s + within);
             let u = 2.0 * within / step_s - 1.0;
-            let legendre = [
-                1.0,
-                u,
-                0.5 * (3.0 * u * u - 1.0),
-                0.5 * u * (5.0 * u * u - 3.0),
-            ];
-            for (moment, p) in moments.iter_mut().zip(legendre) {
-                *moment += share * p;
-            }
+            shares[0][i] = share;
+            shares[1][i] = share * u;
+            shares[2][i] = share * (0.5 * (3.0 * u * u - 1.0));
+            shares[3][i] = share * (0.5 * u * (5.0 * u * u - 3.0));
         }
-        moments
+        shares.map(|order| order.iter().sum())
     }
 
     /// |∫F exp(−iωt) dt| in N·s at `omega` in rad/s; the phase is that of a blow at τ/2.
@@ -80,7 +91,7 @@ impl Pulse {
         let mut sum = 0.0;
         for i in 0..PIECES {
             let middle = piece * f64::from(i) + half;
-            for (node, weight) in NODES.into_iter().flat_map(|(x, w)| [(-x, w), (x, w)]) {
+            for (node, weight) in NODES.into_iter().zip(WEIGHTS) {
                 let t = middle + half * node;
                 sum +=
                     weight * half * self.force_n(t) * (omega * (t - 0.5 * self.duration_s)).cos();

@@ -74,6 +74,7 @@ impl Rates {
     ///
     /// A mode so damped that Ω < ω/10 is silenced. No call to a library: exp((−d − i(ω−Ω))T/2)
     /// is a short series squared five times, turned by exp(iωT/2).
+    #[inline(always)]
     pub(crate) fn apply(
         &self,
         damping: Rayleigh,
@@ -113,6 +114,29 @@ impl Rates {
             (step_re[i], step_im[i]) = (hr * hr - hi * hi, 2.0 * hr * hi);
             inverse[i] = 1.0 / damped;
         }
+    }
+}
+
+/// [`Rates::apply`] as a task for a kernel.
+pub(crate) struct Retune<'a> {
+    pub(crate) rates: &'a Rates,
+    pub(crate) damping: Rayleigh,
+    pub(crate) extra_per_s: f64,
+    pub(crate) oscillators: &'a mut Oscillators,
+    pub(crate) inverse_omega_s: &'a mut [f64],
+}
+
+impl pulp::WithSimd for Retune<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        self.rates.apply(
+            self.damping,
+            self.extra_per_s,
+            self.oscillators,
+            self.inverse_omega_s,
+        );
     }
 }
 
