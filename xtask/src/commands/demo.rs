@@ -6,6 +6,9 @@ use anyhow::{Context, Result};
 use clap::Args;
 use std::fs;
 
+/// A hand laid on the tubes after the last bar, which would otherwise ring for minutes.
+const DAMPING: &str = "Alpha 2@27.5:0.25 1/s,28:0.5 1/s,28.5:1 1/s,29:1.5 1/s,29.5:2 1/s";
+
 /// Arguments of `demo`.
 #[derive(Args, Debug)]
 pub struct Demo {}
@@ -25,8 +28,10 @@ impl Demo {
         .run()?;
         println!("2/4 The plug-in, with the bank inside.");
         bundle::bundle()?;
-        println!("3/4 A piece for chimes, played by the plug-in.");
-        Render::plain(song.clone(), wav.clone()).run()?;
+        println!("3/4 A piece for chimes, played by the plug-in; its end is damped by hand.");
+        let mut render = Render::plain(song, wav.clone());
+        render.automate.push(DAMPING.to_owned());
+        render.run()?;
         println!("4/4 What it sounds like, in a picture.");
         Spectrogram {
             input: wav.clone(),
