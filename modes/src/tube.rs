@@ -4,7 +4,7 @@ mod body;
 mod tune;
 
 pub use body::{TubeModes, tube_modes};
-pub use tune::{TubeTuning, TuneError, tune_tube};
+pub use tune::{TubeTuning, TuneError, predicted_length_m, tune_tube};
 
 use crate::mesh::TubeGrid;
 use crate::shape::Tube;

@@ -64,7 +64,8 @@ pub(crate) fn precompute(name: &str, force: bool) -> Result<Built> {
     let start = Instant::now();
     let built = progress::with_bar(&recipe.name, |bar| {
         factory::cached(&recipe, &folder, force, bar)
-    })?;
+    })
+    .with_context(|| name.to_owned())?;
     Ok(Built {
         bank: built.bank,
         path: built.path,

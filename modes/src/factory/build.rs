@@ -3,7 +3,7 @@
 use super::Progress;
 use crate::shape::Tube;
 use crate::solve::Band;
-use crate::tube::{Fineness, TubeTuning, TuneError, tube_modes, tune_tube};
+use crate::tube::{Fineness, TubeTuning, TuneError, predicted_length_m, tube_modes, tune_tube};
 use crate::{Bank, Body, CODE, Provenance, Recipe, ShapeRecipe, SolveError, equal_temperament_hz};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -56,6 +56,11 @@ struct Finished {
 /// off.
 pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildError> {
     let keys: Vec<u8> = recipe.keys.iter().collect();
+    // What cannot be tuned is said before the minutes that the rest may take.
+    for &key in &keys {
+        predicted_length_m(&shape(recipe), &recipe.material, &tuning(recipe, key))
+            .map_err(|error| out_of_tune(recipe, key, error))?;
+    }
     let (done, cancelled) = (AtomicUsize::new(0), AtomicBool::new(false));
     // The longest tubes take longest; begun first, they leave no thread waiting at the end.
     let finished: Vec<Result<Finished, BuildError>> = keys
@@ -99,32 +104,43 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
     })
 }
 
+fn out_of_tune(recipe: &Recipe, key: u8, error: TuneError) -> BuildError {
+    BuildError::Tune {
+        recipe: recipe.name.clone(),
+        key,
+        error,
+    }
+}
+
+/// The tube that every key's is cut from.
+fn shape(recipe: &Recipe) -> Tube {
+    let ShapeRecipe::Tube {
+        outer_radius_m,
+        wall_m,
+    } = recipe.shape;
+    Tube {
+        outer_radius_m,
+        wall_m,
+        length_m: 0.0,
+    }
+}
+
+fn tuning(recipe: &Recipe, key: u8) -> TubeTuning {
+    TubeTuning {
+        pitch_hz: equal_temperament_hz(key, recipe.tuning.a4_hz),
+        partial: usize::from(recipe.tuning.partial),
+        tolerance_cents: recipe.tuning.tolerance_cents,
+    }
+}
+
 fn body(recipe: &Recipe, key: u8) -> Result<Finished, BuildError> {
     let fineness = Fineness {
         around: usize::from(recipe.mesh.around),
         max_element_m: recipe.mesh.max_element_m,
     };
-    let ShapeRecipe::Tube {
-        outer_radius_m,
-        wall_m,
-    } = recipe.shape;
-    let shape = Tube {
-        outer_radius_m,
-        wall_m,
-        length_m: 0.0,
-    };
-    let tuning = TubeTuning {
-        pitch_hz: equal_temperament_hz(key, recipe.tuning.a4_hz),
-        partial: usize::from(recipe.tuning.partial),
-        tolerance_cents: recipe.tuning.tolerance_cents,
-    };
-    let tube = tune_tube(&shape, &recipe.material, fineness, &tuning).map_err(|error| {
-        BuildError::Tune {
-            recipe: recipe.name.clone(),
-            key,
-            error,
-        }
-    })?;
+    let tuning = tuning(recipe, key);
+    let tube = tune_tube(&shape(recipe), &recipe.material, fineness, &tuning)
+        .map_err(|error| out_of_tune(recipe, key, error))?;
     let solved = tube_modes(&tube, &recipe.material, fineness, Band::AUDIBLE).map_err(|error| {
         BuildError::Solve {
             recipe: recipe.name.clone(),

@@ -109,8 +109,13 @@ pub fn tune_tube(
     }
 }
 
-/// Length in m at which the beam that the tube nearly is has the pitch.
-fn predicted_length_m(
+/// Length in m at which the beam that the tube nearly is has the pitch: a matter of milliseconds,
+/// where [`tune_tube`] solves eigenproblems.
+///
+/// # Errors
+///
+/// [`TuneError::OutOfReach`] if no length has it.
+pub fn predicted_length_m(
     shape: &Tube,
     material: &Material,
     tuning: &TubeTuning,

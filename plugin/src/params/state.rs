@@ -69,7 +69,10 @@ mod tests {
         assert_eq!(number(&params, "alpha2"), 100.0);
         assert_eq!(number(&params, "width"), 50.0);
         assert_eq!(number(&params, "pos"), 40.0);
-        assert_eq!(number(&params, "hard"), 1e9);
+        assert_eq!(
+            number(&params, "hard"),
+            crate::params::MALLET_HARDNESS.default
+        );
         assert!(matches!(params.get("noff"), Some(ParamValue::Bool(false))));
         assert!(matches!(params.get("later"), Some(ParamValue::I32(3))));
         assert_eq!(params.len(), SPECS.len() + 1);

@@ -6,11 +6,12 @@ use anyhow::Result;
 use clap::Args;
 use modes::{Body, Mode, Rayleigh, t60_s};
 use serde::Serialize;
+use std::path::Path;
 
 /// Arguments of `bank`.
 #[derive(Args, Debug)]
 pub struct Bank {
-    /// Name of the bank, or a recipe's file
+    /// Name of the bank, a recipe's file (.toml) or a bank's (.bank)
     #[arg(value_name = "NAME")]
     pub name: String,
     /// Only the body of this MIDI key, with its modes
@@ -35,6 +36,7 @@ struct KeyJson {
     pitch_hz: f64,
     length_m: f64,
     mass_kg: f64,
+    damping: Rayleigh,
     modes: Vec<ModeJson>,
 }
 
@@ -50,7 +52,15 @@ struct ModeJson {
 
 impl Bank {
     pub(super) fn run(&self) -> Result<()> {
-        let bank = banks::precompute(&self.name, false)?.bank;
+        let file = Path::new(&self.name);
+        let bank = if file
+            .extension()
+            .is_some_and(|extension| extension == "bank")
+        {
+            modes::Bank::load(file)?
+        } else {
+            banks::precompute(&self.name, false)?.bank
+        };
         print!("{}", self.text(&bank)?);
         Ok(())
     }
@@ -85,6 +95,7 @@ impl KeyJson {
             pitch_hz: body.pitch_hz,
             length_m: body.length_m,
             mass_kg: body.mass_kg,
+            damping,
             modes: body
                 .modes
                 .iter()

@@ -168,12 +168,16 @@ impl Render {
         sound: &mut Sound,
     ) -> Result<()> {
         let silent_frames = midi::frame(SILENT_S, f64::from(self.rate));
+        // The sound ends at a frame, not with a block: its length is the same for any of them.
+        let over = |sound: &Sound| {
+            sound.frames >= longest
+                || self.tail.is_none()
+                    && sound.frames >= end
+                    && sound.silent_frames >= silent_frames
+        };
         let block = u64::from(self.block);
         let mut events = events;
-        while sound.frames < longest {
-            if self.tail.is_none() && sound.frames >= end && sound.silent_frames >= silent_frames {
-                break;
-            }
+        while !over(sound) {
             let start = sound.frames;
             let next = (start + block).min(longest);
             let due = events.partition_point(|event| event.frame < next);
@@ -181,7 +185,12 @@ impl Render {
             events = later;
             let now: Vec<_> = now.iter().map(|at| at.event.at(at.frame - start)).collect();
             let take = audio.play(&now, (next - start) as usize, self.block as usize)?;
-            sound.write(&take.left, &take.right)?;
+            for (&left, &right) in take.left.iter().zip(&take.right) {
+                if over(sound) {
+                    break;
+                }
+                sound.write(left, right)?;
+            }
         }
         Ok(())
     }
@@ -203,19 +212,17 @@ impl Sound {
         })
     }
 
-    fn write(&mut self, left: &[f32], right: &[f32]) -> Result<()> {
-        for (&l, &r) in left.iter().zip(right) {
-            self.writer.write_sample(l)?;
-            self.writer.write_sample(r)?;
-            let level = l.abs().max(r.abs());
-            self.peak = self.peak.max(level);
-            self.silent_frames = if level > SILENCE {
-                0
-            } else {
-                self.silent_frames + 1
-            };
-        }
-        self.frames += left.len() as u64;
+    fn write(&mut self, left: f32, right: f32) -> Result<()> {
+        self.writer.write_sample(left)?;
+        self.writer.write_sample(right)?;
+        let level = left.abs().max(right.abs());
+        self.peak = self.peak.max(level);
+        self.silent_frames = if level > SILENCE {
+            0
+        } else {
+            self.silent_frames + 1
+        };
+        self.frames += 1;
         Ok(())
     }
 }
