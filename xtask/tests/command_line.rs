@@ -39,7 +39,7 @@ fn render_refuses_numbers_out_of_range() {
         (["--rate", "1000000"], "8000…384000 Hz"),
         (["--block", "0"], "1…65536 frames"),
         (["--tail", "-1"], "0…600 s"),
-        (["--tail", "nan"], "0…600 s"),
+        (["--tail", "NaN"], "0…600 s"),
     ];
     for (option, allowed) in cases {
         assert_says(

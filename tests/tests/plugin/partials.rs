@@ -9,8 +9,8 @@ const KEY: u8 = 74;
 const CONTACT_S: f64 = 0.005;
 /// Length of sound that is looked at.
 const WINDOW_S: f64 = 0.4;
-/// −100 dB: what is weaker than this beside the strongest partial is not measured.
-const FAINT: f64 = 1e-5;
+/// −90 dB: what is weaker than this beside the strongest partial is not measured.
+const FAINT: f64 = 3.2e-5;
 
 /// The partials of the key; those are measured that no other overlaps.
 fn expected(damping: Rayleigh) -> Vec<Partial> {
