@@ -1,11 +1,9 @@
 //! The audio thread: no allocation, no cost of silence, nothing but finite sound.
 
-mod support;
-
+use crate::support::{Random, chimes};
 use idiophone::engine::{Engine, OUTPUT_BOUND, Settings};
 use modes::Rayleigh;
 use nice_assert_no_alloc::assert_no_alloc;
-use support::{Random, chimes};
 
 /// With the feature, the plug-in brings this allocator along.
 #[cfg(not(feature = "assert_process_allocs"))]

@@ -1,5 +1,4 @@
 //! Banks in closed form, and how a rendering is measured.
-#![allow(dead_code, reason = "each test crate uses its own part of the support")]
 
 use idiophone::engine::Engine;
 use modes::{

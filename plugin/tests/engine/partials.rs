@@ -1,10 +1,8 @@
 //! What rings is what the bank says, at any sample rate.
 
-mod support;
-
+use crate::support::{chimes, db, expected, fit, left};
 use idiophone::engine::{Engine, Settings};
 use modes::Rayleigh;
-use support::{chimes, db, expected, fit, left};
 
 #[test]
 fn frequencies_decays_and_levels_at_every_rate() {

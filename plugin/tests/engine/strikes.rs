@@ -1,10 +1,8 @@
 //! Where and how hard a body is struck is heard, and strikes add up.
 
-mod support;
-
+use crate::support::{Random, beam_shape, chimes, db, expected, fit, left};
 use idiophone::engine::{Engine, Settings};
 use modes::Rayleigh;
-use support::{Random, beam_shape, chimes, db, expected, fit, left};
 
 const RATE_HZ: f64 = 48_000.0;
 
