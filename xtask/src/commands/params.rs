@@ -25,7 +25,7 @@ impl Params {
             None => bundle::bundled_clap()?,
         };
         let mut plugin = Library::open(&path)?.instantiate()?;
-        let mut table = Table::new(["parameter", "group", "from", "to", "default", "automatable"]);
+        let mut table = Table::new(["parameter", "from", "to", "default", "automatable"]);
         for param in plugin.params().iter().filter(|param| !param.hidden) {
             table.push(row(&mut plugin, param));
         }
@@ -34,15 +34,18 @@ impl Params {
     }
 }
 
-fn row(plugin: &mut Plugin, param: &Param) -> [String; 6] {
+fn row(plugin: &mut Plugin, param: &Param) -> [String; 5] {
     let mut text = |value: f64| {
         plugin
             .text(param.id, value)
             .unwrap_or_else(|| value.to_string())
     };
     [
-        param.name.clone(),
-        param.module.clone(),
+        if param.module.is_empty() {
+            param.name.clone()
+        } else {
+            format!("{}/{}", param.module, param.name)
+        },
         text(param.min),
         text(param.max),
         text(param.default),
