@@ -5,8 +5,9 @@ use modes::check::GROUPS;
 /// Every row of a group must be within its bound; how long the machine took is told by
 /// `cargo xtask check` alone.
 fn hold(name: &str) {
-    let (_, rows) = GROUPS.iter().find(|(group, _)| *group == name).unwrap();
-    let rows = rows().unwrap();
+    let group = GROUPS.iter().find(|(group, _)| *group == name);
+    let (_, rows) = group.expect("a group of this name");
+    let rows = rows().expect("every comparison can be made");
     assert!(!rows.is_empty());
     for row in rows.iter().filter(|row| row.unit != "s") {
         assert!(

@@ -84,7 +84,7 @@ fn damping_moved_in_mid_note_acts_at_once_and_adds_nothing() {
     }
 
     let around = &signal[..16_384];
-    let spectrum = support::spectrum(around);
+    let spectrum = crate::support::spectrum(around);
     let peak = spectrum.iter().fold(0.0, |p: f64, v| p.max(*v));
     let bin_hz = rate_hz / 16_384.0;
     let elsewhere = spectrum
