@@ -1,6 +1,7 @@
 //! Cost of a ringing mode and sample, beside a plain loop in the same run.
 
-#[path = "../tests/support/mod.rs"]
+#[path = "../tests/engine/support.rs"]
+#[expect(dead_code, reason = "the tests use the rest")]
 mod support;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};

@@ -15,3 +15,17 @@ pub fn chimes() -> &'static Bank {
     static BANK: OnceLock<Bank> = OnceLock::new();
     BANK.get_or_init(|| Bank::read(CHIMES).expect("the bank is as it was built"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::chimes;
+    use crate::engine::Settings;
+
+    #[test]
+    fn the_bank_holds_five_octaves_with_the_damping_that_the_parameters_start_with() {
+        let bank = chimes();
+        let keys: Vec<u8> = bank.bodies.iter().map(|body| body.key).collect();
+        assert_eq!(keys, (36..=96).collect::<Vec<_>>());
+        assert_eq!(bank.damping, Settings::DEFAULT.damping);
+    }
+}

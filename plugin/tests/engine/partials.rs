@@ -1,10 +1,8 @@
 //! What rings is what the bank says, at any sample rate.
 
-mod support;
-
+use crate::support::{chimes, db, expected, fit, left};
 use idiophone::engine::{Engine, Settings};
 use modes::Rayleigh;
-use support::{chimes, db, expected, fit, left};
 
 #[test]
 fn frequencies_decays_and_levels_at_every_rate() {
@@ -86,7 +84,7 @@ fn damping_moved_in_mid_note_acts_at_once_and_adds_nothing() {
     }
 
     let around = &signal[..16_384];
-    let spectrum = support::spectrum(around);
+    let spectrum = crate::support::spectrum(around);
     let peak = spectrum.iter().fold(0.0, |p: f64, v| p.max(*v));
     let bin_hz = rate_hz / 16_384.0;
     let elsewhere = spectrum

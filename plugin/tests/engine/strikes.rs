@@ -1,10 +1,8 @@
 //! Where and how hard a body is struck is heard, and strikes add up.
 
-mod support;
-
+use crate::support::{Random, beam_shape, chimes, db, expected, fit, left};
 use idiophone::engine::{Engine, Settings};
 use modes::Rayleigh;
-use support::{Random, beam_shape, chimes, db, expected, fit, left};
 
 const RATE_HZ: f64 = 48_000.0;
 
@@ -24,7 +22,7 @@ fn at(strike_position: f64) -> Settings {
 
 /// Energy-weighted mean frequency of the first 40 ms, in Hz.
 fn centroid_hz(signal: &[f64]) -> f64 {
-    let spectrum = support::spectrum(&signal[..2048]);
+    let spectrum = crate::support::spectrum(&signal[..2048]);
     let energy: f64 = spectrum.iter().map(|v| v * v).sum();
     let moment: f64 = spectrum
         .iter()

@@ -1,5 +1,4 @@
 //! Banks in closed form, and how a rendering is measured.
-#![allow(dead_code, reason = "each test crate uses its own part of the support")]
 
 use idiophone::engine::Engine;
 use modes::{
@@ -84,7 +83,7 @@ pub(crate) fn key_hz(key: u8) -> f64 {
 pub(crate) fn chimes(keys: impl IntoIterator<Item = u8>) -> Bank {
     Bank {
         name: "test chimes".into(),
-        material: Material::from_young(70e9, 0.33, 2700.0).unwrap(),
+        material: Material::from_young(70e9, 0.33, 2700.0).expect("aluminium is possible"),
         damping: Rayleigh {
             alpha1_s: 1e-7,
             alpha2_per_s: 0.0,

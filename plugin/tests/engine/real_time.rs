@@ -1,11 +1,9 @@
 //! The audio thread: no allocation, no cost of silence, nothing but finite sound.
 
-mod support;
-
+use crate::support::{Random, chimes};
 use idiophone::engine::{Engine, OUTPUT_BOUND, Settings};
 use modes::Rayleigh;
 use nice_assert_no_alloc::assert_no_alloc;
-use support::{Random, chimes};
 
 /// With the feature, the plug-in brings this allocator along.
 #[cfg(not(feature = "assert_process_allocs"))]
@@ -146,9 +144,9 @@ fn bodies_fall_asleep_and_silence_is_exact() {
 fn a_choke_does_not_click() {
     let mut engine = Engine::new(&chimes([74]), 48_000.0);
     engine.strike(74, 1.0);
-    let mut signal = support::left(&mut engine, 24_000);
+    let mut signal = crate::support::left(&mut engine, 24_000);
     engine.choke(74);
-    signal.extend(support::left(&mut engine, 24_000));
+    signal.extend(crate::support::left(&mut engine, 24_000));
     let steepest = |part: &[f64]| {
         part.windows(3)
             .map(|w| (w[0] - 2.0 * w[1] + w[2]).abs())
