@@ -104,7 +104,6 @@ impl ClapPlugin for Idiophone {
         ClapFeature::Instrument,
         ClapFeature::Synthesizer,
         ClapFeature::Stereo,
-        ClapFeature::Custom("physical-modeling"),
     ];
 
     fn remote_controls(&self, context: &mut impl RemoteControlsContext) {

@@ -76,6 +76,7 @@ fn markdown(rows: &[Row]) -> String {
         ]);
     }
     table.text(true)
+        + "\nErrors of frequencies and lengths are fractions of the reference, others are in the row's unit.\n"
 }
 
 /// Six significant digits, without an exponent where that is as short.
