@@ -64,7 +64,7 @@ impl Settings {
         strike_position: 0.03,
         velocity_to_position: 0.0,
         position_scatter: 0.0,
-        hardness_pa: 5e9,
+        hardness_pa: 2e9,
         velocity_range_db: 40.0,
         damping: Rayleigh {
             alpha1_s: 1e-7,
@@ -139,7 +139,7 @@ mod tests {
             ..Settings::default()
         };
         let sane = wild.sane();
-        assert_eq!(sane.hardness_pa, 5e9);
+        assert_eq!(sane.hardness_pa, 2e9);
         assert_eq!(sane.gain_db, 12.0);
         assert_eq!(sane.strike_position, 0.0);
         assert_eq!(Settings::default().sane(), Settings::default());

@@ -76,8 +76,13 @@ fn mirror_positions_sound_equal() {
 
 #[test]
 fn the_end_is_bright_and_the_middle_dull() {
-    let end = centroid_hz(&struck(&at(0.01), 0.8, 2048));
-    let middle = centroid_hz(&struck(&at(0.5), 0.8, 2048));
+    // The harder the head, the more the odd modes that the middle keeps brighten it too.
+    let rawhide = |strike_position: f64| Settings {
+        hardness_pa: 1e9,
+        ..at(strike_position)
+    };
+    let end = centroid_hz(&struck(&rawhide(0.01), 0.8, 2048));
+    let middle = centroid_hz(&struck(&rawhide(0.5), 0.8, 2048));
     println!("centroid {end:.0} Hz at the end, {middle:.0} Hz in the middle");
     assert!(end > 1.2 * middle, "{end} Hz against {middle} Hz");
 }
