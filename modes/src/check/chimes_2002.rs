@@ -56,7 +56,7 @@ pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
             fundamental_hz(CHIME.length_m, SHIPPED)?,
             "Hz",
         ),
-        1e-5,
+        1e-6,
         "converged value of the same element",
     ));
     Ok(rows)

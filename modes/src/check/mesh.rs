@@ -39,7 +39,7 @@ fn hex_order() -> Result<Row, CheckError> {
     Ok(Row::absolute(
         "20-node hexahedra, order of the error of bending 2",
         (4.0, order([hz(6)?, hz(12)?, hz(24)?]), ""),
-        0.5,
+        0.1,
         "h^2p for elements of degree p = 2 (Strang & Fix 1973)",
     ))
 }
@@ -57,7 +57,7 @@ fn tet_order() -> Result<Row, CheckError> {
     Ok(Row::absolute(
         "linear tetrahedra, order of the error of bending 1",
         (2.0, order([hz(1)?, hz(2)?, hz(4)?]), ""),
-        0.5,
+        0.2,
         "h^2p for elements of degree p = 1 (Strang & Fix 1973)",
     ))
 }
@@ -133,7 +133,7 @@ fn sector() -> Result<Vec<Row>, CheckError> {
         Row::absolute(
             "one sector, 12 × 16 cells: greatest difference of a mode",
             (0.0, cents, "cents"),
-            1e-4,
+            1e-5,
             source,
         ),
     ])

@@ -29,7 +29,7 @@ fn frequencies_decays_and_levels_at_every_rate() {
     for other in &levels[1..] {
         for ((a, b), (hz, _)) in levels[0].iter().zip(other).zip(&expected) {
             println!("{hz:.0} Hz: {:.4} dB", db(a / b));
-            assert!(db(a / b).abs() < 0.05, "{} dB at {hz} Hz", db(a / b));
+            assert!(db(a / b).abs() < 0.01, "{} dB at {hz} Hz", db(a / b));
         }
     }
 }
