@@ -4,6 +4,7 @@ mod check;
 mod error;
 mod file;
 mod format;
+mod mirror;
 mod read;
 #[cfg(test)]
 mod sample;
@@ -13,7 +14,7 @@ mod write;
 
 pub use error::{BankError, BankFileError};
 
-use crate::{Material, ModeLabel, Rayleigh, StrikeLine};
+use crate::{Damping, Material, ModeLabel, StrikeLine};
 use serde::{Deserialize, Serialize};
 
 /// One instrument: a body for each key, all of one material.
@@ -23,8 +24,12 @@ pub struct Bank {
     pub name: String,
     /// What the bodies are made of.
     pub material: Material,
-    /// Damping the instrument starts with.
-    pub damping: Rayleigh,
+    /// Inner damping of the material; what the air, the supports and the felt take is said mode by
+    /// mode.
+    pub damping: Damping,
+    /// Where the listener's left and right ears are, in m, beside a row of bodies that stands along
+    /// x with its middle at the origin, z up.
+    pub ears_m: [[f64; 3]; 2],
     /// How the bank came about.
     pub provenance: Provenance,
     /// The bodies, by rising key.
@@ -68,6 +73,10 @@ pub struct Body {
     pub modes: Vec<Mode>,
 }
 
+/// What a unit modal displacement e^{iωt} sends to each ear: complex sound pressure (real,
+/// imaginary) at the left and the right one, in Pa·kg^(−1/2)/m.
+pub type Ears = [[f32; 2]; 2];
+
 /// One mode of vibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
@@ -76,6 +85,19 @@ pub struct Mode {
     /// ∫|φ·n| dS over the whole surface times 2π `hz`, in m²·kg^(−1/2)/s: the rectified volume
     /// velocity that a unit modal displacement at this frequency sends out (O'Brien 2002 §3.4).
     pub coupling: f64,
+    /// Sound pressure at the ears (O'Brien, Cook & Essl 2001, Eqs. 2, 5, 10, at the mode's
+    /// frequency), scaled to the power that the mode radiates.
+    pub ears: Ears,
+    /// What the open resonator below the body adds to it; zero without one.
+    pub pipe_ears: Ears,
+    /// Amplitude decay rate that radiation into the air adds, in 1/s.
+    pub radiation_per_s: f32,
+    /// Amplitude decay rate that the supports add, in 1/s.
+    pub support_per_s: f32,
+    /// Amplitude decay rate that the damper's felt adds when it lies on the body, in 1/s.
+    pub felt_per_s: f32,
+    /// Amplitude decay rate that the open resonator adds, in 1/s; zero without one.
+    pub pipe_per_s: f32,
     /// ‖Kφ − λMφ‖ / ‖Kφ‖ as solved.
     pub residual: f64,
     /// The mode's name.

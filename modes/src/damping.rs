@@ -3,12 +3,30 @@
 use serde::{Deserialize, Serialize};
 
 /// Rayleigh damping C = α1 K + α2 M (O'Brien 2002, Eq. 3).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Rayleigh {
     /// Stiffness-proportional part, in s: damps high modes with f².
     pub alpha1_s: f64,
     /// Mass-proportional part, in 1/s: damps all modes alike.
     pub alpha2_per_s: f64,
+}
+
+/// What a material takes out of every mode that moves it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Damping {
+    /// Rayleigh's part.
+    pub rayleigh: Rayleigh,
+    /// tan φ of internal friction, the same at all frequencies (van den Doel & Pai 1998, Eq. 12).
+    pub loss_factor: f64,
+}
+
+impl Damping {
+    /// Amplitude decay rate in 1/s of the mode whose undamped frequency is `hz`.
+    #[must_use]
+    pub fn decay_per_s(&self, hz: f64) -> f64 {
+        self.rayleigh.decay_per_s(hz) + std::f64::consts::PI * hz * self.loss_factor
+    }
 }
 
 /// A mode's complex frequency, Eq. 9 of O'Brien 2002.
@@ -49,13 +67,21 @@ impl Rayleigh {
     /// Damped frequency and decay rate of the mode whose undamped frequency is `hz`.
     #[must_use]
     pub fn motion(&self, hz: f64) -> Motion {
+        Motion::of(hz, self.decay_per_s(hz))
+    }
+}
+
+impl Motion {
+    /// The motion of a mode of undamped frequency `hz` that loses `decay_per_s` of its amplitude
+    /// per second.
+    #[must_use]
+    pub fn of(hz: f64, decay_per_s: f64) -> Self {
         let omega = std::f64::consts::TAU * hz;
-        let decay_per_s = self.decay_per_s(hz);
         if decay_per_s >= omega {
-            return Motion::Overdamped;
+            return Self::Overdamped;
         }
         let damped = ((omega - decay_per_s) * (omega + decay_per_s)).sqrt();
-        Motion::Ringing {
+        Self::Ringing {
             hz: damped / std::f64::consts::TAU,
             decay_per_s,
         }

@@ -15,6 +15,10 @@ pub enum Family {
     Longitudinal,
     /// The wall flexes with `order` waves around the axis.
     Wall,
+    /// The body bends sideways, across the direction in which it is struck.
+    Lateral,
+    /// A shell flexes with `order` waves around its axis.
+    Shell,
     /// No kind was made out.
     Other,
 }
@@ -51,6 +55,9 @@ impl fmt::Display for ModeLabel {
             Family::Torsion => write!(f, "torsion {}", self.index)?,
             Family::Longitudinal => write!(f, "longitudinal {}", self.index)?,
             Family::Wall => write!(f, "wall ({},{})", self.order, self.index)?,
+            Family::Lateral => write!(f, "lateral {}", self.index)?,
+            // Bell founders count the nodal circles, from none.
+            Family::Shell => write!(f, "shell ({},{})", self.order, self.index - 1)?,
             Family::Other => write!(f, "mode {}", self.index)?,
         }
         match self.member {

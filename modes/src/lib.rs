@@ -30,13 +30,15 @@ mod recipe;
 pub mod shape;
 #[cfg(feature = "solve")]
 pub mod solve;
+#[cfg(feature = "solve")]
+mod solved;
 mod strike_line;
 #[cfg(feature = "solve")]
 pub mod tube;
 
-pub use bank::{Bank, BankError, BankFileError, Body, Mode, Provenance};
+pub use bank::{Bank, BankError, BankFileError, Body, Ears, Mode, Provenance};
 pub use code::CODE;
-pub use damping::{Motion, Rayleigh, t60_s};
+pub use damping::{Damping, Motion, Rayleigh, t60_s};
 pub use equal_temperament::equal_temperament_hz;
 pub use label::{Family, Member, ModeLabel};
 pub use material::{Material, MaterialError};
@@ -48,6 +50,8 @@ pub use recipe::{
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;
+#[cfg(feature = "solve")]
+pub use solved::{SolvedBody, SolvedMode};
 pub use strike_line::{Stencil, StrikeLine};
 #[cfg(feature = "solve")]
 pub use tube::TuneError;

@@ -1,5 +1,9 @@
 //! How strongly a mode's motion drives the air.
 
+mod surface;
+
+pub use surface::Surface;
+
 use std::f64::consts::TAU;
 
 /// ∫|φ·n| dS in m² kg^(−1/2) over the triangles (numbered counter-clockwise from outside) of a

@@ -6,7 +6,7 @@ mod raw;
 
 pub use error::{RecipeError, RecipeFileError};
 
-use crate::{Material, Rayleigh};
+use crate::{Damping, Material};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -24,8 +24,8 @@ pub struct Recipe {
     pub shape: ShapeRecipe,
     /// What the bodies are made of.
     pub material: Material,
-    /// Damping to start with.
-    pub damping: Rayleigh,
+    /// Inner damping of the material.
+    pub damping: Damping,
     /// How finely the bodies are divided.
     pub mesh: MeshRecipe,
     /// The recipe word for word.

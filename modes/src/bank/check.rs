@@ -7,6 +7,7 @@ use crate::{Stencil, StrikeLine};
 const MAX_HZ: f64 = 1e6;
 const MAX_SHAPE: f32 = 1e9;
 const MAX_COUPLING: f64 = 1e12;
+const MAX_EARS: f32 = 1e12;
 
 impl Bank {
     /// Whether every number is possible, and the keys and frequencies are in order.
@@ -18,8 +19,13 @@ impl Bank {
         self.material.check().map_err(|error| {
             BankError::inconsistent("material", error, "that of an elastic solid")
         })?;
-        not_negative("alpha1_s", self.damping.alpha1_s)?;
-        not_negative("alpha2_per_s", self.damping.alpha2_per_s)?;
+        let damping = &self.damping;
+        not_negative("alpha1_s", damping.rayleigh.alpha1_s)?;
+        not_negative("alpha2_per_s", damping.rayleigh.alpha2_per_s)?;
+        not_negative("loss_factor", damping.loss_factor)?;
+        if let Some(x) = self.ears_m.iter().flatten().find(|x| !x.is_finite()) {
+            return Err(BankError::inconsistent("ears_m", x, "finite"));
+        }
         let provenance = &self.provenance;
         not_negative("tolerance_cents", provenance.tolerance_cents)?;
         not_negative("max_residual", provenance.max_residual)?;
@@ -100,7 +106,19 @@ fn check_mode(mode: &Mode, least_hz: f64, points: usize) -> Result<(), BankError
             "0 to 1e12",
         ));
     }
+    let loud = |x: &&f32| !(-MAX_EARS..=MAX_EARS).contains(*x);
+    let mut ears = mode.ears.iter().chain(&mode.pipe_ears).flatten();
+    if let Some(x) = ears.find(loud) {
+        return Err(BankError::inconsistent("ears", x, "-1e12 to 1e12"));
+    }
+    not_negative("radiation_per_s", f64::from(mode.radiation_per_s))?;
+    not_negative("support_per_s", f64::from(mode.support_per_s))?;
+    not_negative("felt_per_s", f64::from(mode.felt_per_s))?;
+    not_negative("pipe_per_s", f64::from(mode.pipe_per_s))?;
     not_negative("residual", mode.residual)?;
+    if mode.label.index == 0 {
+        return Err(BankError::inconsistent("index", 0, "counted from 1"));
+    }
     if mode.shape.len() != points {
         let allowed = "one for each point of the strike line";
         let count = format!("of {} points", mode.shape.len());

@@ -38,6 +38,15 @@ pub enum BankError {
         /// Newest format version that can be read.
         newest: u32,
     },
+    /// Made by an earlier version of this software.
+    #[error(
+        "the bank is of format {found}, which this version no longer reads; build it anew with \
+         `cargo xtask precompute`"
+    )]
+    PastVersion {
+        /// Format version of the file.
+        found: u32,
+    },
     /// Whole and undamaged, but not a possible bank.
     #[error("the bank's {field} is {value}, but must be {allowed}; build it anew")]
     Inconsistent {

@@ -13,13 +13,13 @@
 //! Numbers are little-endian. The first 24 bytes stay as they are in every version.
 
 use super::Provenance;
-use crate::{Family, Material, Member, Rayleigh};
+use crate::{Damping, Family, Material, Member};
 use serde::{Deserialize, Serialize};
 
 /// Starts every bank. The bytes around the letters show a file that was mangled as text.
 pub(super) const MAGIC: [u8; 8] = *b"\x89IDBK\r\n\x1a";
 /// The version written, and the newest read.
-pub(super) const VERSION: u32 = 1;
+pub(super) const VERSION: u32 = 2;
 /// Bytes up to and with the checksum.
 pub(super) const PRELUDE_LEN: usize = 24;
 /// Where the checksum stands.
@@ -34,7 +34,8 @@ pub(super) struct Header {
     pub(super) format: String,
     pub(super) name: String,
     pub(super) material: Material,
-    pub(super) damping: Rayleigh,
+    pub(super) damping: Damping,
+    pub(super) ears_m: [[f64; 3]; 2],
     pub(super) provenance: Provenance,
     pub(super) bodies: Vec<BodyEntry>,
     pub(super) arrays: Vec<ArrayEntry>,
@@ -67,26 +68,35 @@ pub(super) struct ArrayEntry {
 }
 
 /// Name, elements and unit of the arrays of a section, in their order.
-pub(super) const ARRAYS: [[&str; 3]; 8] = [
+pub(super) const ARRAYS: [[&str; 3]; 9] = [
     ["points", "f64[points][3]", "m"],
     ["normals", "f64[points][3]", "1"],
     ["hz", "f64[modes]", "Hz"],
     ["coupling", "f64[modes]", "m^2 kg^(-1/2)/s"],
     ["residual", "f64[modes]", "1"],
     [
+        "air",
+        "[modes]{ears f32[left, right][re, im] Pa kg^(-1/2)/m, pipe ears the same, radiation, \
+         support, felt and pipe decay rate f32[4] 1/s}",
+        "as said",
+    ],
+    [
         "label",
-        "[modes]{family u8 (0 bending, 1 torsion, 2 longitudinal, 3 wall, 4 other), \
+        "[modes]{family u8 (0 bending, 1 torsion, 2 longitudinal, 3 wall, 4 other, \
+         5 lateral, 6 shell), \
          member u8 (0 single, 1 a, 2 b), order u16, index u16}",
         "1",
     ],
     [
         "components",
-        "u8[modes], bits 1 x, 2 y, 4 z: those of the shape that are not zero at every point",
+        "u8[modes], bits 1 x, 2 y, 4 z: those of the shape that are not zero at every point; bit 8: \
+         only the first half of the points is stored, middle included, the rest mirrors it with \
+         the signs of bits 16 x, 32 y, 64 z (set: opposite)",
         "1",
     ],
     [
         "shape",
-        "[modes][stored components] f32[points]",
+        "[modes][stored components] f32[stored points]",
         "kg^(-1/2)",
     ],
 ];
@@ -94,7 +104,9 @@ pub(super) const ARRAYS: [[&str; 3]; 8] = [
 /// Bytes of a point with its normal.
 pub(super) const POINT_LEN: u64 = 48;
 /// Bytes of a mode without its shape.
-pub(super) const MODE_LEN: u64 = 31;
+pub(super) const MODE_LEN: u64 = 79;
+/// Bytes of a mode's ears and rates.
+pub(super) const AIR_LEN: usize = 48;
 
 pub(super) fn described_arrays() -> Vec<ArrayEntry> {
     let entry = |[name, elements, unit]: [&str; 3]| ArrayEntry {
@@ -114,12 +126,14 @@ pub(super) fn checksum(file: &[u8]) -> u32 {
 }
 
 /// Families by their number in a file.
-pub(super) const FAMILIES: [Family; 5] = [
+pub(super) const FAMILIES: [Family; 7] = [
     Family::Bending,
     Family::Torsion,
     Family::Longitudinal,
     Family::Wall,
     Family::Other,
+    Family::Lateral,
+    Family::Shell,
 ];
 
 /// Members by their number in a file.
@@ -132,6 +146,8 @@ pub(super) const fn family_number(family: Family) -> u8 {
         Family::Longitudinal => 2,
         Family::Wall => 3,
         Family::Other => 4,
+        Family::Lateral => 5,
+        Family::Shell => 6,
     }
 }
 

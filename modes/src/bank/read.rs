@@ -1,9 +1,10 @@
 //! Bytes to a bank, whatever the bytes.
 
 use super::format::{
-    BodyEntry, CHECKSUM_AT, FAMILIES, FORMAT, Header, MAGIC, MAX_LEN, MEMBERS, MODE_LEN, POINT_LEN,
+    AIR_LEN, BodyEntry, CHECKSUM_AT, FAMILIES, FORMAT, Header, MAGIC, MAX_LEN, MEMBERS, MODE_LEN, POINT_LEN,
     PRELUDE_LEN, VERSION, checksum, described_arrays,
 };
+use super::mirror::Stored;
 use super::{Bank, BankError, Body, Mode};
 use crate::{ModeLabel, StrikeLine};
 
@@ -26,6 +27,7 @@ impl Bank {
         }
         match u32_at(file, MAGIC.len()) {
             VERSION => {}
+            1 => return Err(BankError::PastVersion { found: 1 }),
             0 => return Err(BankError::inconsistent("format version", 0, "at least 1")),
             found => {
                 return Err(BankError::FutureVersion {
@@ -58,6 +60,7 @@ impl Bank {
             name: header.name,
             material: header.material,
             damping: header.damping,
+            ears_m: header.ears_m,
             provenance: header.provenance,
             bodies: read_bodies(&header.bodies, content)?,
         };
@@ -128,12 +131,20 @@ fn read_body(entry: &BodyEntry, sections: &mut Reader) -> Result<Body, BankError
     let count = arrays.0.len() / MODE_LEN as usize;
     let mut modes: Vec<Mode> = Vec::with_capacity(count);
     let [hz, coupling, residual] = [(); 3].map(|()| arrays.f64s(count));
-    let (labels, components) = arrays.0.split_at(6 * count);
+    let (air, rest) = arrays.0.split_at(AIR_LEN * count);
+    let (labels, components) = rest.split_at(6 * count);
     for i in 0..count {
+        let [l0, l1, r0, r1, pl0, pl1, pr0, pr1, rates @ ..] = air_at(air, i);
         let label = label(&labels[6 * i..6 * i + 6]);
         modes.push(Mode {
             hz: hz[i],
             coupling: coupling[i],
+            ears: [[l0, l1], [r0, r1]],
+            pipe_ears: [[pl0, pl1], [pr0, pr1]],
+            radiation_per_s: rates[0],
+            support_per_s: rates[1],
+            felt_per_s: rates[2],
+            pipe_per_s: rates[3],
             residual: residual[i],
             label: label.map_err(|error| error.within(format!("mode {}", i + 1)))?,
             shape: Vec::new(),
@@ -159,7 +170,7 @@ fn label(bytes: &[u8]) -> Result<ModeLabel, BankError> {
     Ok(ModeLabel {
         family: *FAMILIES
             .get(usize::from(family))
-            .ok_or_else(|| BankError::inconsistent("family", family, "0 to 4"))?,
+            .ok_or_else(|| BankError::inconsistent("family", family, "0 to 6"))?,
         order: u16_at(2),
         index: u16_at(4),
         member: *MEMBERS
@@ -169,19 +180,26 @@ fn label(bytes: &[u8]) -> Result<ModeLabel, BankError> {
 }
 
 fn shape(bits: u8, points: usize, sections: &mut Reader) -> Result<Vec<[f32; 3]>, BankError> {
-    if !(1..=7).contains(&bits) {
-        return Err(BankError::inconsistent("components", bits, "1 to 7"));
-    }
-    let stored = u64::from(bits.count_ones());
-    let mut values = sections.counted("shape", stored * points as u64, 4)?;
+    let stored = Stored::from_bits(bits, points)?;
+    let mut values = Reader(sections.slice("shape", stored.len())?);
     let mut shape = vec![[0.0; 3]; points];
-    for c in (0..3).filter(|c| bits & (1 << c) != 0) {
-        let bytes = values.0.split_off(..4 * points).unwrap_or_default();
+    for c in stored.components() {
+        let bytes = values.0.split_off(..4 * stored.points()).unwrap_or_default();
         for (phi, value) in shape.iter_mut().zip(bytes.as_chunks().0) {
             phi[c] = f32::from_le_bytes(*value);
         }
     }
+    stored.complete(&mut shape);
     Ok(shape)
+}
+
+/// Ears and rates of mode `i`.
+fn air_at(air: &[u8], i: usize) -> [f32; AIR_LEN / 4] {
+    let mut numbers = [0.0; AIR_LEN / 4];
+    for (number, bytes) in numbers.iter_mut().zip(air[AIR_LEN * i..].as_chunks().0) {
+        *number = f32::from_le_bytes(*bytes);
+    }
+    numbers
 }
 
 /// The bytes not yet read.

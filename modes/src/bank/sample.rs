@@ -1,7 +1,7 @@
 //! A small bank for tests.
 
 use super::{Bank, Body, Mode, Provenance};
-use crate::{Family, Material, Member, ModeLabel, Rayleigh, StrikeLine};
+use crate::{Damping, Family, Material, Member, ModeLabel, Rayleigh, StrikeLine};
 
 /// Two bodies, of which the second has partners that vanish in some components at the line.
 pub(super) fn bank() -> Bank {
@@ -12,10 +12,14 @@ pub(super) fn bank() -> Bank {
             mu_pa: 2.57e10,
             density_kg_m3: 2700.1,
         },
-        damping: Rayleigh {
-            alpha1_s: 1e-7,
-            alpha2_per_s: 0.0,
+        damping: Damping {
+            rayleigh: Rayleigh {
+                alpha1_s: 1e-7,
+                alpha2_per_s: 0.0,
+            },
+            loss_factor: 2e-4,
         },
+        ears_m: [[-0.1, -1.0, 0.5], [0.1, -1.0, 0.5]],
         provenance: Provenance {
             recipe: "name = \"two\"\n".to_owned(),
             code: "0.1.0 0123456789abcdef".to_owned(),
@@ -57,6 +61,12 @@ fn mode(hz: f64, family: Family, member: Member, shape: impl Fn(f32) -> [f32; 3]
     Mode {
         hz,
         coupling: 1.0 / hz,
+        ears: [[0.25, -0.5], [0.125, 3.0]],
+        pipe_ears: [[1.0, 2.0], [3.0, 4.0]],
+        radiation_per_s: 0.1,
+        support_per_s: 0.2,
+        felt_per_s: 30.0,
+        pipe_per_s: 0.4,
         residual: 1e-12,
         label: ModeLabel {
             family,

@@ -56,7 +56,7 @@ fn a_bank_without_bodies_comes_back() {
 #[test]
 fn equal_banks_give_equal_bytes() {
     let mut negative = bank();
-    negative.damping.alpha2_per_s = -0.0;
+    negative.damping.rayleigh.alpha2_per_s = -0.0;
     negative.bodies[1].line.points_m[0][1] = -0.0;
     for phi in negative.bodies[1]
         .modes
@@ -268,7 +268,7 @@ fn impossible_banks_are_refused() {
     let cases: [(&str, Change); 21] = [
         ("material", |b| b.material.mu_pa = -1.0),
         ("alpha2_per_s", |b| {
-            b.damping = Rayleigh {
+            b.damping.rayleigh = Rayleigh {
                 alpha1_s: 0.0,
                 alpha2_per_s: -1.0,
             }

@@ -4,8 +4,9 @@ use super::format::{
     BodyEntry, CHECKSUM_AT, FORMAT, Header, MAGIC, MODE_LEN, POINT_LEN, PRELUDE_LEN, VERSION,
     checksum, described_arrays, family_number, member_number,
 };
+use super::mirror::Stored;
 use super::{Bank, Body, Mode};
-use crate::{Material, Provenance, Rayleigh};
+use crate::{Damping, Material, Provenance, Rayleigh};
 
 impl Bank {
     /// The bank as the content of a file. Equal banks give equal bytes.
@@ -58,10 +59,14 @@ impl Bank {
                 mu_pa: plain(self.material.mu_pa),
                 density_kg_m3: plain(self.material.density_kg_m3),
             },
-            damping: Rayleigh {
-                alpha1_s: plain(self.damping.alpha1_s),
-                alpha2_per_s: plain(self.damping.alpha2_per_s),
+            damping: Damping {
+                rayleigh: Rayleigh {
+                    alpha1_s: plain(self.damping.rayleigh.alpha1_s),
+                    alpha2_per_s: plain(self.damping.rayleigh.alpha2_per_s),
+                },
+                loss_factor: plain(self.damping.loss_factor),
             },
+            ears_m: self.ears_m.map(|ear| ear.map(plain)),
             provenance: Provenance {
                 tolerance_cents: plain(self.provenance.tolerance_cents),
                 max_residual: plain(self.provenance.max_residual),
@@ -80,21 +85,9 @@ fn plain(x: f64) -> f64 {
 }
 
 fn section_len(body: &Body) -> u64 {
-    let stored: u64 = body
-        .modes
-        .iter()
-        .map(|mode| u64::from(components(mode).count_ones()))
-        .sum();
     let points = body.line.len() as u64;
-    POINT_LEN * points + MODE_LEN * body.modes.len() as u64 + 4 * points * stored
-}
-
-/// Bits of the shape's components that are not zero at every point; at least one, so that the
-/// bytes of a file bound what reading it takes.
-fn components(mode: &Mode) -> u8 {
-    let stored = |c: usize| mode.shape.iter().any(|phi| phi[c] != 0.0);
-    let bits = u8::from(stored(0)) | u8::from(stored(1)) << 1 | u8::from(stored(2)) << 2;
-    bits.max(1)
+    let shapes: u64 = body.modes.iter().map(|mode| Stored::of(mode).len()).sum();
+    POINT_LEN * points + MODE_LEN * body.modes.len() as u64 + shapes
 }
 
 fn write_body(body: &Body, file: &mut Vec<u8>) {
@@ -105,18 +98,32 @@ fn write_body(body: &Body, file: &mut Vec<u8>) {
     body.modes.iter().for_each(|mode| f64s(file, mode.hz));
     body.modes.iter().for_each(|mode| f64s(file, mode.coupling));
     body.modes.iter().for_each(|mode| f64s(file, mode.residual));
+    body.modes.iter().for_each(|mode| write_air(mode, file));
     for label in body.modes.iter().map(|mode| mode.label) {
         file.extend([family_number(label.family), member_number(label.member)]);
         file.extend(label.order.to_le_bytes());
         file.extend(label.index.to_le_bytes());
     }
-    file.extend(body.modes.iter().map(components));
-    for mode in &body.modes {
-        let bits = components(mode);
-        for c in (0..3).filter(|c| bits & (1 << c) != 0) {
-            for phi in &mode.shape {
+    let stored: Vec<Stored> = body.modes.iter().map(Stored::of).collect();
+    file.extend(stored.iter().map(Stored::bits));
+    for (mode, stored) in body.modes.iter().zip(&stored) {
+        for c in stored.components() {
+            for phi in &mode.shape[..stored.points()] {
                 file.extend((phi[c] + 0.0).to_le_bytes());
             }
         }
+    }
+}
+
+fn write_air(mode: &Mode, file: &mut Vec<u8>) {
+    let ears = mode.ears.iter().chain(&mode.pipe_ears).flatten();
+    let rates = [
+        mode.radiation_per_s,
+        mode.support_per_s,
+        mode.felt_per_s,
+        mode.pipe_per_s,
+    ];
+    for x in ears.chain(&rates) {
+        file.extend((x + 0.0).to_le_bytes());
     }
 }

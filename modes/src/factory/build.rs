@@ -88,6 +88,7 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
         name: recipe.name.clone(),
         material: recipe.material,
         damping: recipe.damping,
+        ears_m: [[-0.1, -1.0, 0.5], [0.1, -1.0, 0.5]],
         provenance: Provenance {
             recipe: recipe.text.clone(),
             code: CODE.to_owned(),

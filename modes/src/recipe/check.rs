@@ -3,7 +3,7 @@
 use super::error::Fault;
 use super::raw::{Raw, RawBody, RawDamping, RawKeys, RawMaterial, RawMesh, RawTuning};
 use super::{KeyRange, MeshRecipe, Recipe, ShapeRecipe, TuningRecipe};
-use crate::{Material, MaterialError, NamedMaterial, Rayleigh};
+use crate::{Damping, Material, MaterialError, NamedMaterial, Rayleigh};
 use std::ops::RangeInclusive;
 
 impl Raw {
@@ -11,7 +11,10 @@ impl Raw {
         let (material, own_damping) = check_material(&self.material)?;
         let damping = match (self.damping, own_damping) {
             (Some(given), _) => check_damping(&given)?,
-            (None, Some(own)) => own,
+            (None, Some(own)) => Damping {
+                rayleigh: own,
+                loss_factor: 0.0,
+            },
             (None, None) => {
                 let allowed = "given, with alpha1_s and alpha2_per_s, because a material \
                                without a name has no damping of its own";
@@ -143,10 +146,13 @@ fn material(
     Err(Fault::field(field, value, allowed))
 }
 
-fn check_damping(damping: &RawDamping) -> Result<Rayleigh, Fault> {
-    Ok(Rayleigh {
-        alpha1_s: within("damping.alpha1_s", damping.alpha1_s, 0.0..=1e-3)?,
-        alpha2_per_s: within("damping.alpha2_per_s", damping.alpha2_per_s, 0.0..=1e4)?,
+fn check_damping(damping: &RawDamping) -> Result<Damping, Fault> {
+    Ok(Damping {
+        rayleigh: Rayleigh {
+            alpha1_s: within("damping.alpha1_s", damping.alpha1_s, 0.0..=1e-3)?,
+            alpha2_per_s: within("damping.alpha2_per_s", damping.alpha2_per_s, 0.0..=1e4)?,
+        },
+        loss_factor: within("damping.loss_factor", damping.loss_factor, 0.0..=0.2)?,
     })
 }
 

@@ -54,6 +54,8 @@ pub(super) struct RawMaterial {
 pub(super) struct RawDamping {
     pub(super) alpha1_s: f64,
     pub(super) alpha2_per_s: f64,
+    #[serde(default)]
+    pub(super) loss_factor: f64,
 }
 
 #[derive(Deserialize)]

@@ -39,7 +39,7 @@ fn the_factory_chimes_are_those_of_the_paper() {
         }
     );
     assert_eq!(recipe.material, chime.material);
-    assert_eq!(recipe.damping, chime.rayleigh);
+    assert_eq!(recipe.damping.rayleigh, chime.rayleigh);
     assert_eq!(recipe.text, CHIMES);
 }
 
@@ -66,7 +66,7 @@ fn a_named_material_lends_its_damping() {
         .replace("alpha2_per_s = 0.0", "");
     let steel = without.replace("O'Brien 2002 aluminium", "steel");
     let damping = parse(&steel).unwrap().damping;
-    assert_eq!((damping.alpha1_s, damping.alpha2_per_s), (3e-8, 5.0));
+    assert_eq!((damping.rayleigh.alpha1_s, damping.rayleigh.alpha2_per_s), (3e-8, 5.0));
     let nameless = without.replace(
         "name = \"O'Brien 2002 aluminium\"",
         "young_pa = 1e9\npoisson = 0.3\ndensity_kg_m3 = 900",

@@ -193,6 +193,12 @@ fn members(found: &Found, index: usize, samples: usize) -> Vec<Mode> {
     let mode = |member: Member, keep: [f64; 3]| Mode {
         hz: found.mode.hz,
         coupling: coupling(found.rectified_area, found.mode.hz),
+        ears: [[coupling(found.rectified_area, found.mode.hz) as f32, 0.0]; 2],
+        pipe_ears: [[0.0; 2]; 2],
+        radiation_per_s: 0.0,
+        support_per_s: 0.0,
+        felt_per_s: 27.6,
+        pipe_per_s: 0.0,
         residual: found.mode.residual,
         label: ModeLabel {
             family: found.family,
