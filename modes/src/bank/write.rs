@@ -54,6 +54,7 @@ impl Bank {
         Header {
             format: FORMAT.to_owned(),
             name: self.name.clone(),
+            title: self.title.clone(),
             material: Material {
                 lambda_pa: plain(self.material.lambda_pa),
                 mu_pa: plain(self.material.mu_pa),
@@ -86,7 +87,11 @@ fn plain(x: f64) -> f64 {
 
 fn section_len(body: &Body) -> u64 {
     let points = body.line.len() as u64;
-    let shapes: u64 = body.modes.iter().map(|mode| Stored::of(mode, body.line.len()).len()).sum();
+    let shapes: u64 = body
+        .modes
+        .iter()
+        .map(|mode| Stored::of(mode, body.line.len()).len())
+        .sum();
     POINT_LEN * points + MODE_LEN * body.modes.len() as u64 + shapes
 }
 

@@ -212,8 +212,7 @@ impl Point {
         if !(det > 0.0 && radius_m > 0.0) {
             return None;
         }
-        let gradients =
-            local.map(|[x, y]| [(d * x - b * y) / det, (a * y - c * x) / det]);
+        let gradients = local.map(|[x, y]| [(d * x - b * y) / det, (a * y - c * x) / det]);
         Some(Self {
             values,
             gradients,
@@ -305,7 +304,9 @@ mod tests {
             x[3 * node..][..3].copy_from_slice(&motion(*place));
         }
         let mut y = vec![0.0; n];
-        harmonic.pencil.multiply(&harmonic.pencil.stiffness, &x, &mut y);
+        harmonic
+            .pencil
+            .multiply(&harmonic.pencil.stiffness, &x, &mut y);
         0.5 * x.iter().zip(&y).map(|(x, y)| x * y).sum::<f64>()
     }
 
@@ -321,7 +322,9 @@ mod tests {
                 let (mut up, mut down) = (x, x);
                 up[a] += h;
                 down[a] -= h;
-                assert!((slopes[a] - (shape(node, up) - shape(node, down)) / (2.0 * h)).abs() < 1e-9);
+                assert!(
+                    (slopes[a] - (shape(node, up) - shape(node, down)) / (2.0 * h)).abs() < 1e-9
+                );
             }
         }
     }

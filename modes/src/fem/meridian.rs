@@ -87,7 +87,10 @@ impl Meridian {
     }
 
     fn expose(&mut self, side: [u32; 3]) {
-        if side.iter().any(|&node| self.nodes_m[node as usize][0] > 0.0) {
+        if side
+            .iter()
+            .any(|&node| self.nodes_m[node as usize][0] > 0.0)
+        {
             self.sides.push(side);
         }
     }

@@ -22,6 +22,17 @@ pub struct Bell {
 const PLUG_CELLS: usize = 3;
 
 impl Bell {
+    /// `tube` without a plug, hung at the node of its lowest mode.
+    #[must_use]
+    pub fn open(tube: Tube) -> Self {
+        Self {
+            tube,
+            plug_m: 0.0,
+            hung_at: 0.2242,
+            felt_at: 0.03,
+        }
+    }
+
     /// The meridian of this bell, of cells no longer than `max_element_m`, with the top at z = 0 and
     /// the tube hanging down from it: position 0 of the strike line is the top.
     #[must_use]
@@ -34,7 +45,10 @@ impl Bell {
     pub fn cells(&self, max_element_m: f64) -> [usize; 2] {
         #[expect(clippy::cast_sign_loss, reason = "lengths are positive")]
         let count = |length_m: f64| (length_m / max_element_m).ceil().max(0.0) as usize;
-        [count(self.plug_m), count(self.tube.length_m - self.plug_m).max(3)]
+        [
+            count(self.plug_m),
+            count(self.tube.length_m - self.plug_m).max(3),
+        ]
     }
 }
 
@@ -70,7 +84,8 @@ pub fn bell(bell: &Bell, cells: [usize; 2]) -> Wall {
     let outer = |j: usize| meridian.node_at(2 * (inside + 1), j).unwrap_or(u32::MAX);
     let line: Vec<u32> = (0..=2 * along).rev().map(outer).collect();
     let nearest = |share: f64| {
-        let below = |node: &u32| (meridian.nodes_m[*node as usize][1] + share * tube.length_m).abs();
+        let below =
+            |node: &u32| (meridian.nodes_m[*node as usize][1] + share * tube.length_m).abs();
         line.iter()
             .copied()
             .min_by(|p, q| below(p).total_cmp(&below(q)))
@@ -93,7 +108,7 @@ pub fn bell(bell: &Bell, cells: [usize; 2]) -> Wall {
         felt: nearest(bell.felt_at).into_iter().collect(),
         line,
         heard,
-        radiator_radius_m: tube.outer_radius_m,
+        mouth_m: None,
         family: Family::Wall,
         meridian,
     }

@@ -25,7 +25,11 @@ pub fn bowl(bowl: &Bowl, max_element_m: f64) -> Result<Wall, ProfileError> {
     let place = |j: usize| -> ([f64; 2], [f64; 2], f64) {
         if j <= 2 * base {
             let r = bowl.base_radius_m * j as f64 / (2 * base) as f64;
-            let normal = if j == 2 * base { arc.normal(0.0) } else { [0.0, 1.0] };
+            let normal = if j == 2 * base {
+                arc.normal(0.0)
+            } else {
+                [0.0, 1.0]
+            };
             return ([r, 0.0], normal, bowl.base_wall_m);
         }
         let share = arc.share((j - 2 * base) as f64 / (2 * side) as f64);
@@ -56,7 +60,7 @@ pub fn bowl(bowl: &Bowl, max_element_m: f64) -> Result<Wall, ProfileError> {
         held: meridian.node_at(2 * base, 0).into_iter().collect(),
         felt: meridian.node_at(2 * along, 0).into_iter().collect(),
         heard: meridian.sides.clone(),
-        radiator_radius_m: bowl.rim_radius_m,
+        mouth_m: Some([bowl.rim_radius_m - bowl.rim_wall_m, bowl.height_m]),
         family: Family::Shell,
         meridian,
     })

@@ -126,9 +126,8 @@ impl Bowl {
 
 /// Radius in m of the circle through three points.
 fn radius_of_curvature_m(points: &[[f64; 2]]) -> f64 {
-    let side = |i: usize, j: usize| {
-        (points[i][0] - points[j][0]).hypot(points[i][1] - points[j][1])
-    };
+    let side =
+        |i: usize, j: usize| (points[i][0] - points[j][0]).hypot(points[i][1] - points[j][1]);
     let [p, q, r] = [points[0], points[1], points[2]];
     let area = 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]));
     // Only where it bends towards the inside, to the left on the way up.
@@ -166,7 +165,10 @@ mod tests {
             ..BOWL
         };
         let error = wide.check().unwrap_err().to_string();
-        assert_eq!(error, "base_radius_m is 0.1 m, but must be above 0 and below 0.09");
+        assert_eq!(
+            error,
+            "base_radius_m is 0.1 m, but must be above 0 and below 0.09"
+        );
         let thick = Bowl {
             squareness: 9.0,
             base_wall_m: 0.03,
