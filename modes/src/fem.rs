@@ -1,6 +1,7 @@
 //! Element stiffness and mass, and their assembly into Kφ = λMφ.
 
 mod assembly;
+mod constrained;
 mod cyclic;
 mod hex20;
 mod isotropic;
@@ -8,7 +9,9 @@ mod pencil;
 mod tet4;
 
 pub use assembly::assemble;
+pub use constrained::Constrained;
 pub use cyclic::CyclicTube;
 pub use hex20::HEX20_NODES;
+pub(crate) use hex20::hex20_weights;
 pub use pencil::{Pattern, Pencil};
 pub use tet4::TetMass;

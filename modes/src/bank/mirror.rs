@@ -21,9 +21,8 @@ impl Stored {
         let components = (0..3).fold(0, |bits, c| bits | u8::from(moves(c)) << c);
         // At least one, so that the bytes of a file bound what reading it takes.
         let mut bits = components.max(1);
-        let mirrors = |c: usize, sign: f32| {
-            (0..whole).all(|i| shape[i][c] == sign * shape[whole - 1 - i][c])
-        };
+        let mirrors =
+            |c: usize, sign: f32| (0..whole).all(|i| shape[i][c] == sign * shape[whole - 1 - i][c]);
         let even: Vec<bool> = (0..3).map(|c| mirrors(c, 1.0)).collect();
         if (0..3).all(|c| even[c] || mirrors(c, -1.0)) {
             bits |= HALF;

@@ -1,8 +1,8 @@
 //! Bytes to a bank, whatever the bytes.
 
 use super::format::{
-    AIR_LEN, BodyEntry, CHECKSUM_AT, FAMILIES, FORMAT, Header, MAGIC, MAX_LEN, MEMBERS, MODE_LEN, POINT_LEN,
-    PRELUDE_LEN, VERSION, checksum, described_arrays,
+    AIR_LEN, BodyEntry, CHECKSUM_AT, FAMILIES, FORMAT, Header, MAGIC, MAX_LEN, MEMBERS, MODE_LEN,
+    POINT_LEN, PRELUDE_LEN, VERSION, checksum, described_arrays,
 };
 use super::mirror::Stored;
 use super::{Bank, BankError, Body, Mode};
@@ -184,7 +184,10 @@ fn shape(bits: u8, points: usize, sections: &mut Reader) -> Result<Vec<[f32; 3]>
     let mut values = Reader(sections.slice("shape", stored.len())?);
     let mut shape = vec![[0.0; 3]; points];
     for c in stored.components() {
-        let bytes = values.0.split_off(..4 * stored.points()).unwrap_or_default();
+        let bytes = values
+            .0
+            .split_off(..4 * stored.points())
+            .unwrap_or_default();
         for (phi, value) in shape.iter_mut().zip(bytes.as_chunks().0) {
             phi[c] = f32::from_le_bytes(*value);
         }

@@ -66,7 +66,10 @@ fn a_named_material_lends_its_damping() {
         .replace("alpha2_per_s = 0.0", "");
     let steel = without.replace("O'Brien 2002 aluminium", "steel");
     let damping = parse(&steel).unwrap().damping;
-    assert_eq!((damping.rayleigh.alpha1_s, damping.rayleigh.alpha2_per_s), (3e-8, 5.0));
+    assert_eq!(
+        (damping.rayleigh.alpha1_s, damping.rayleigh.alpha2_per_s),
+        (3e-8, 5.0)
+    );
     let nameless = without.replace(
         "name = \"O'Brien 2002 aluminium\"",
         "young_pa = 1e9\npoisson = 0.3\ndensity_kg_m3 = 900",
