@@ -2,4 +2,4 @@
 
 mod timoshenko;
 
-pub use timoshenko::{TimoshenkoBeam, hutchinson_shear_coefficient};
+pub use timoshenko::{TimoshenkoBeam, hutchinson_shear_coefficient, rectangle_shear_coefficient};

@@ -1,6 +1,7 @@
 //! Element stiffness and mass, and their assembly into Kφ = λMφ.
 
 mod assembly;
+mod constrained;
 mod cyclic;
 mod fourier;
 mod hex20;
@@ -10,9 +11,11 @@ mod pencil;
 mod tet4;
 
 pub use assembly::assemble;
+pub use constrained::Constrained;
 pub use cyclic::CyclicTube;
 pub use fourier::Harmonic;
 pub use hex20::HEX20_NODES;
+pub(crate) use hex20::hex20_weights;
 pub use meridian::Meridian;
 pub use pencil::{Pattern, Pencil};
 pub use tet4::TetMass;

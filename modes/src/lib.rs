@@ -7,6 +7,8 @@
 pub mod analytic;
 mod bank;
 #[cfg(feature = "solve")]
+pub mod bar;
+#[cfg(feature = "solve")]
 pub mod check;
 mod code;
 mod damping;

@@ -1,8 +1,10 @@
 //! Nodes and the elements that join them.
 
+mod bar;
 mod surface;
 mod tube;
 
+pub use bar::{BarGrid, BarPart, bar_hex20};
 pub use tube::{TubeGrid, tube_hex20, tube_tet4};
 
 /// A volume mesh of one kind of element.

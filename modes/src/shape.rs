@@ -4,4 +4,8 @@ mod bowl;
 mod tube;
 
 pub use bowl::{Bowl, ProfileError};
+mod bar;
+mod tube;
+
+pub use bar::{Bar, Undercut};
 pub use tube::Tube;

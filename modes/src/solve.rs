@@ -7,6 +7,6 @@ mod error;
 mod factor;
 mod lanczos;
 
-pub use band::{Band, Eigenmode, Solution, Solver, lowest, modes_in_band};
+pub use band::{Band, Eigenmode, Solution, Solver, lowest, lowest_of, modes_in_band};
 pub use error::SolveError;
 pub use factor::count_below;

@@ -33,7 +33,30 @@ pub fn hutchinson_shear_coefficient(outer: f64, inner: f64, poisson: f64) -> f64
             + v * v * (4.0 * a4 + 16.0 * ab + 4.0 * b4))
 }
 
+/// Shear coefficient κ of a narrow rectangle, 5(1 + ν)/(6 + 5ν): the limit of no width of Hutchinson
+/// 2001 (rectangle), whose full form has a pole for flat sections.
+#[must_use]
+pub fn rectangle_shear_coefficient(poisson: f64) -> f64 {
+    5.0 * (1.0 + poisson) / (6.0 + 5.0 * poisson)
+}
+
 impl TimoshenkoBeam {
+    /// The beam that a uniform bar of `material` is, bending in the direction in which it is
+    /// `depth_m` thick, `width_m` wide across it.
+    #[must_use]
+    pub fn from_rectangle(length_m: f64, depth_m: f64, width_m: f64, material: &Material) -> Self {
+        let area_m2 = depth_m * width_m;
+        let second_moment_m4 = area_m2 * depth_m * depth_m / 12.0;
+        let shear_coefficient = rectangle_shear_coefficient(material.poisson());
+        Self {
+            length_m,
+            bending_n_m2: material.young_pa() * second_moment_m4,
+            shear_n: shear_coefficient * material.mu_pa * area_m2,
+            mass_kg_m: material.density_kg_m3 * area_m2,
+            rotary_kg_m: material.density_kg_m3 * second_moment_m4,
+        }
+    }
+
     /// The beam that a tube of `material` is.
     #[must_use]
     pub fn from_tube(tube: &Tube, material: &Material) -> Self {

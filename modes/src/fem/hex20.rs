@@ -65,7 +65,7 @@ impl Hex20 {
         let mut mass = Box::new([[0.0; 20]; 20]);
         for (point, weight) in points(&GAUSS_3) {
             let (_, det) = gradients_at(nodes, point)?;
-            let values = HEX20_NODES.map(|node| shape(node, point));
+            let values = hex20_weights(point);
             let density = weight * det * material.density_kg_m3;
             for i in 0..20 {
                 for j in 0..20 {
@@ -82,6 +82,11 @@ fn points<const N: usize>(rule: &[(f64, f64); N]) -> impl Iterator<Item = ([f64;
         rule.iter()
             .flat_map(move |&(y, wy)| rule.iter().map(move |&(z, wz)| ([x, y, z], wx * wy * wz)))
     })
+}
+
+/// What each node's value counts for at local coordinates `x` of a hexahedron.
+pub(crate) fn hex20_weights(x: [f64; 3]) -> [f64; 20] {
+    HEX20_NODES.map(|node| shape(node, x))
 }
 
 /// Shape function of the node at local coordinates `node`, at `x`.

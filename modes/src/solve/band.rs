@@ -167,11 +167,20 @@ fn polish(
 ///
 /// As [`modes_in_band`].
 pub fn lowest(pencil: &Pencil, index: usize) -> Result<f64, SolveError> {
+    Ok(lowest_of(pencil, index + 1)?[index])
+}
+
+/// Frequencies in Hz of the first `count` elastic modes of `pencil`, rising.
+///
+/// # Errors
+///
+/// As [`modes_in_band`].
+pub fn lowest_of(pencil: &Pencil, count: usize) -> Result<Vec<f64>, SolveError> {
     let symbolic = Symbolic::new(pencil);
     let shift = -(TAU * SHIFT_HZ).powi(2);
     let factor = symbolic.cholesky(pencil, shift)?;
     let mut lanczos = Lanczos::new(pencil, &factor, shift, 2);
-    let wanted = pencil.rigid + index + 1;
+    let wanted = pencil.rigid + count;
     let largest = 4 * wanted + 60;
     loop {
         lanczos.expand();
@@ -181,7 +190,11 @@ pub fn lowest(pencil: &Pencil, index: usize) -> Result<f64, SolveError> {
         }
         let ritz = lanczos.ritz();
         if ritz.pairs.len() >= wanted && ritz.pairs[..wanted].iter().all(|p| p.residual < 1e-9) {
-            return Ok(ritz.pairs[wanted - 1].eigenvalue.max(0.0).sqrt() / TAU);
+            let elastic = &ritz.pairs[pencil.rigid..wanted];
+            return Ok(elastic
+                .iter()
+                .map(|pair| pair.eigenvalue.max(0.0).sqrt() / TAU)
+                .collect());
         }
         if size > largest {
             let converged = ritz.pairs.iter().take_while(|p| p.residual < 1e-9).count();

@@ -1,0 +1,41 @@
+//! Free bars with an arch cut from below: tuned, and solved for every audible mode.
+
+mod beam;
+mod body;
+mod quarter;
+mod ratios;
+#[cfg(test)]
+mod tests;
+mod tune;
+
+pub use body::{BarPartials, bar_modes, bar_partials};
+pub use ratios::{vibraphone_ratios, vibraphone_stock};
+pub use tune::{BarStock, BarTuneError, BarTuning, tune_bar};
+
+use crate::mesh::BarGrid;
+use crate::shape::Bar;
+
+/// How finely a bar is cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BarFineness {
+    /// Longest cell along the bar, in m.
+    pub max_element_m: f64,
+    /// Cells across half the width.
+    pub across: usize,
+    /// Cells through the thickness.
+    pub through: usize,
+}
+
+impl BarFineness {
+    /// The grid that cuts `bar` this finely.
+    #[must_use]
+    pub fn grid(&self, bar: &Bar) -> BarGrid {
+        #[expect(clippy::cast_sign_loss, reason = "lengths are positive")]
+        let along = (0.5 * bar.length_m / self.max_element_m).ceil().max(1.0) as usize;
+        BarGrid {
+            along,
+            across: self.across,
+            through: self.through,
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Bars against beams, against the whole mesh, and against what they were tuned to.
+
+use super::*;
+use crate::analytic::TimoshenkoBeam;
+use crate::fem::{TetMass, assemble};
+use crate::mesh::{BarPart, bar_hex20};
+use crate::radiation::{coupling, rectified_area};
+use crate::solve::{Band, modes_in_band};
+use crate::{Family, Material, SolvedBody, equal_temperament_hz};
+
+const COARSE: BarFineness = BarFineness {
+    max_element_m: 0.012,
+    across: 2,
+    through: 1,
+};
+
+const F_SHARP_3: u8 = 54;
+
+fn aluminium() -> Material {
+    Material::named("aluminium").expect("a named material")
+}
+
+fn tuned(key: u8) -> Bar {
+    let tuning = BarTuning {
+        pitch_hz: equal_temperament_hz(key, 440.0),
+        ratios: vibraphone_ratios(key),
+        tolerance_cents: 1.0,
+    };
+    tune_bar(&vibraphone_stock(key), &aluminium(), COARSE, &tuning).expect("within reach")
+}
+
+fn solved(bar: &Bar) -> SolvedBody {
+    bar_modes(bar, &aluminium(), COARSE, Band::AUDIBLE).expect("a sound mesh")
+}
+
+fn of_family(body: &SolvedBody, family: Family) -> Vec<f64> {
+    let modes = body.modes.iter().filter(|m| m.label.family == family);
+    modes.map(|m| m.hz).collect()
+}
+
+#[test]
+fn a_uniform_bar_bends_as_a_beam_both_ways() {
+    let bar = Bar::uniform(0.36, 0.022, 0.0127);
+    let body = solved(&bar);
+    let material = aluminium();
+    for (family, depth_m, width_m, count) in [
+        (Family::Bending, bar.thickness_m, bar.width_m, 5),
+        (Family::Lateral, bar.width_m, bar.thickness_m, 4),
+    ] {
+        let beam = TimoshenkoBeam::from_rectangle(bar.length_m, depth_m, width_m, &material);
+        let hz = of_family(&body, family);
+        for (i, expected) in beam.free_free_hz(count).into_iter().enumerate() {
+            let error = hz[i] / expected - 1.0;
+            assert!(error.abs() < 2e-3, "{family:?} {}: {error:e}", i + 1);
+        }
+    }
+    // √(E/ρ)/2L, less Rayleigh's correction for the section's Poisson motion, here 10⁻⁴.
+    let rod_hz = (material.young_pa() / material.density_kg_m3).sqrt() / (2.0 * bar.length_m);
+    let error = of_family(&body, Family::Longitudinal)[0] / rod_hz - 1.0;
+    assert!(error.abs() < 5e-4, "{error:e}");
+}
+
+#[test]
+fn a_thin_bar_moves_two_root_masses_at_its_ends() {
+    let body = solved(&Bar::uniform(0.36, 0.02, 0.004));
+    let first = &body.modes[0];
+    assert_eq!(first.label.to_string(), "bending 1");
+    // Blevins 1979, table 8-1.
+    let expected = 2.0 / body.mass_kg.sqrt();
+    let error = f64::from(first.shape[0][2].abs()) / expected - 1.0;
+    assert!(error.abs() < 2e-3, "{error:e}");
+    // The fundamental is held where it does not rise: only the little turn of the section is left.
+    assert!(first.held < 4e-3 * expected * expected, "{}", first.held);
+}
+
+#[test]
+fn four_quarters_are_the_whole() {
+    let bar = tuned(F_SHARP_3);
+    let mesh = bar_hex20(&bar, COARSE.grid(&bar), BarPart::Whole);
+    let pencil = assemble(&mesh, &aluminium(), TetMass::Consistent).unwrap();
+    let whole = modes_in_band(&pencil, Band::AUDIBLE).unwrap();
+    let body = solved(&bar);
+    assert_eq!(whole.modes.len(), body.modes.len());
+    let surface = mesh.surface();
+    for (mode, judge) in body.modes.iter().zip(&whole.modes) {
+        assert!((mode.hz / judge.hz - 1.0).abs() < 1e-8, "{}", mode.label);
+        if mode.hz < 8_000.0 {
+            let expected = rectified_area(&mesh.nodes, &surface, &judge.vector);
+            let area = body.surface.rectified_area(&mode.motion);
+            let error = coupling(area, mode.hz) / coupling(expected, mode.hz) - 1.0;
+            assert!(error.abs() < 0.08, "{}: {error}", mode.label);
+        }
+    }
+}
+
+#[test]
+fn mass_and_surface_are_the_shape_s() {
+    let bar = tuned(F_SHARP_3);
+    let body = solved(&bar);
+    let expected = bar.volume_m3() * aluminium().density_kg_m3;
+    assert!((body.mass_kg / expected - 1.0).abs() < 1e-4);
+    let surface = &body.surface;
+    let mut closed = [0.0; 3];
+    let mut volume_m3 = 0.0;
+    for i in 0..surface.len() {
+        let (point, normal, area) = (surface.points_m[i], surface.normals[i], surface.areas_m2[i]);
+        for a in 0..3 {
+            closed[a] += normal[a] * area;
+            volume_m3 += point[a] * normal[a] * area / 3.0;
+        }
+    }
+    assert!(closed.iter().all(|sum| sum.abs() < 1e-12), "{closed:?}");
+    assert!((volume_m3 / bar.volume_m3() - 1.0).abs() < 0.01);
+}
+
+#[test]
+fn f_sharp_3_has_double_octave_and_third_on_the_paper_s_length() {
+    let bar = tuned(F_SHARP_3);
+    assert_eq!(bar.length_m, 0.36);
+    let partials = bar_partials(&bar, &aluminium(), COARSE).unwrap();
+    let hz = equal_temperament_hz(F_SHARP_3, 440.0);
+    assert!((1200.0 * (partials.bending_hz[0] / hz).log2()).abs() < 0.01);
+    let [second, third] = partials.ratios();
+    assert!((1200.0 * (second / 4.0).log2()).abs() < 0.1, "{second}");
+    assert!((1200.0 * (third / 10.0).log2()).abs() < 0.1, "{third}");
+    let hz = of_family(&solved(&bar), Family::Bending);
+    assert_eq!(hz[..3].len(), 3);
+    for (found, tuned) in hz.iter().zip(partials.bending_hz) {
+        assert!((found / tuned - 1.0).abs() < 1e-8);
+    }
+}
+
+#[test]
+fn keys_from_c2_to_c7_can_be_tuned() {
+    for key in (36..=96).step_by(6) {
+        let bar = tuned(key);
+        let partials = bar_partials(&bar, &aluminium(), COARSE).unwrap();
+        for (ratio, wanted) in partials.ratios().into_iter().zip(vibraphone_ratios(key)) {
+            assert!(
+                (1200.0 * (ratio / wanted).log2()).abs() < 1.0,
+                "{key}: {ratio}"
+            );
+        }
+    }
+}
+
+#[test]
+fn ratios_out_of_reach_name_the_nearest() {
+    let tuning = BarTuning {
+        pitch_hz: 440.0,
+        ratios: [2.0, 12.0],
+        tolerance_cents: 1.0,
+    };
+    let error = tune_bar(&vibraphone_stock(69), &aluminium(), COARSE, &tuning).unwrap_err();
+    assert!(matches!(error, BarTuneError::OutOfReach { .. }), "{error}");
+    assert!(error.to_string().contains("1 : 2.000 : 12.000"), "{error}");
+}
+
+/// Each mode is its own image or its opposite, to the bit.
+#[test]
+fn shapes_mirror_exactly() {
+    let body = solved(&tuned(72));
+    let last = body.line.len() - 1;
+    for i in 0..=last {
+        let (here, there) = (body.line.points_m[i], body.line.points_m[last - i]);
+        assert_eq!(here[0], -there[0]);
+    }
+    for mode in &body.modes {
+        let image = |sign: f32| {
+            (0..=last).all(|i| {
+                let (u, v) = (mode.shape[i], mode.shape[last - i]);
+                u[0] == -sign * v[0] && u[1] == sign * v[1] && u[2] == sign * v[2]
+            })
+        };
+        assert!(image(1.0) || image(-1.0), "{}", mode.label);
+        assert!(mode.shape.iter().any(|u| u[2] != 0.0), "{}", mode.label);
+    }
+    assert!(body.orthonormality < 1e-12, "{:e}", body.orthonormality);
+}

@@ -1,0 +1,318 @@
+//! The arch that gives a bar its pitch and its partials.
+
+use super::BarFineness;
+use super::beam::beam_hz;
+use super::body::bending_hz;
+use super::quarter::Quarter;
+use crate::shape::{Bar, Undercut};
+use crate::{Material, SolveError};
+
+/// What a bar is cut from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BarStock {
+    /// Length, in m.
+    pub length_m: f64,
+    /// Width, in m.
+    pub width_m: f64,
+    /// Thickness, in m.
+    pub thickness_m: f64,
+}
+
+/// What a bar is to be tuned to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BarTuning {
+    /// Pitch, in Hz: that of the first bending mode.
+    pub pitch_hz: f64,
+    /// The second and the third bending mode as multiples of the first.
+    pub ratios: [f64; 2],
+    /// How far the pitch may be off, in cents; the other two modes may be ten times as far.
+    pub tolerance_cents: f64,
+}
+
+/// Why a bar cannot be tuned.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BarTuneError {
+    /// No arch, and no length near the stock's, has the partials.
+    #[error(
+        "ratios 1 : {second:.3} : {third:.3} at {pitch_hz:.2} Hz are out of reach of stock \
+         {length_m:.3} m long and {thickness_m:.4} m thick; the nearest within reach are \
+         1 : {nearest_second:.3} : {nearest_third:.3} at {nearest_hz:.2} Hz"
+    )]
+    OutOfReach {
+        /// The pitch asked for, in Hz.
+        pitch_hz: f64,
+        /// The second mode asked for, as a multiple of the first.
+        second: f64,
+        /// The third mode asked for.
+        third: f64,
+        /// Length of the stock, in m.
+        length_m: f64,
+        /// Thickness of the stock, in m.
+        thickness_m: f64,
+        /// Pitch of the nearest bar that a beam could be, in Hz.
+        nearest_hz: f64,
+        /// Its second mode.
+        nearest_second: f64,
+        /// Its third mode.
+        nearest_third: f64,
+    },
+    /// The search stopped short of the tolerance.
+    #[error(
+        "the bar's partials stay {:.3}, {:.3} and {:.3} cents off those of {pitch_hz:.2} Hz",
+        cents[0], cents[1], cents[2]
+    )]
+    NotTuned {
+        /// The pitch asked for, in Hz.
+        pitch_hz: f64,
+        /// How far the three modes are off.
+        cents: [f64; 3],
+    },
+    /// The eigenproblem was not solved.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}
+
+/// What the search turns to make the partials right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Turn {
+    /// The arch alone, on the stock's length.
+    Arch,
+    /// The arch at a fixed exponent, and the length.
+    Length,
+}
+
+/// The exponent of the arch where it is fixed, and where the search begins.
+const EXPONENT: f64 = 2.5;
+
+/// Ranges that make a bar: centre in thicknesses, half the arch in lengths, then the exponent or
+/// the length in stock lengths.
+const CENTRE: [f64; 2] = [0.15, 0.95];
+const ARCH: [f64; 2] = [0.1, 0.48];
+const EXPONENTS: [f64; 2] = [1.5, 8.0];
+const LENGTHS: [f64; 2] = [0.6, 1.6];
+
+/// The search goes on to this fraction of the tolerance, as long as it gets nearer.
+const MARGIN: f64 = 5e-3;
+
+/// How much wider the tolerance of the upper modes is.
+const UPPER: f64 = 10.0;
+
+/// Largest step in the logarithm of a dimension: the beam's equations are only nearly linear.
+const LARGEST_STEP: f64 = 0.3;
+
+/// A beam is near enough at so many cents: a solid bar is further from it.
+const BEAM_CENTS: f64 = 0.5;
+
+/// Steps that beams take at most; most need three or four.
+const BEAM_STEPS: usize = 25;
+
+/// Steps that solids take at most; most need three.
+const SOLID_STEPS: usize = 12;
+
+impl Turn {
+    fn ranges(self) -> [[f64; 2]; 3] {
+        match self {
+            Self::Arch => [CENTRE, ARCH, EXPONENTS],
+            Self::Length => [CENTRE, ARCH, LENGTHS],
+        }
+    }
+
+    fn start(self) -> [f64; 3] {
+        match self {
+            Self::Arch => [0.5, 0.35, EXPONENT],
+            Self::Length => [0.5, 0.3, 1.0],
+        }
+        .map(f64::ln)
+    }
+
+    /// The bar of the logarithms of what is turned.
+    fn bar(self, stock: &BarStock, x: [f64; 3]) -> Bar {
+        let [centre, arch, last] = x.map(f64::exp);
+        let (exponent, length_m) = match self {
+            Self::Arch => (last, stock.length_m),
+            Self::Length => (EXPONENT, stock.length_m * last),
+        };
+        Bar {
+            length_m,
+            width_m: stock.width_m,
+            thickness_m: stock.thickness_m,
+            undercut: Undercut {
+                centre_thickness_m: centre * stock.thickness_m,
+                half_length_m: arch * length_m,
+                exponent,
+            },
+        }
+    }
+
+    fn clamp(self, x: [f64; 3]) -> [f64; 3] {
+        let ranges = self.ranges();
+        [0, 1, 2].map(|i| x[i].clamp(ranges[i][0].ln(), ranges[i][1].ln()))
+    }
+}
+
+/// A bar of `stock` with the arch that gives it its partials; where no arch does on the stock's own
+/// length, of another length.
+///
+/// A Timoshenko beam of the bar's sections is tuned first, by Newton's method on the logarithms of
+/// the arch's dimensions; then solid bars are, starting from it with the beam's derivatives, which
+/// each step improves (Broyden 1965).
+///
+/// # Errors
+///
+/// [`BarTuneError::OutOfReach`] if no shape does, [`BarTuneError::Solve`] if the solver fails.
+pub fn tune_bar(
+    stock: &BarStock,
+    material: &Material,
+    fineness: BarFineness,
+    tuning: &BarTuning,
+) -> Result<Bar, BarTuneError> {
+    let mut nearest: Option<Beam> = None;
+    for turn in [Turn::Arch, Turn::Length] {
+        let beam = tune_beam(turn, stock, material, tuning)?;
+        if worst(beam.cents) < BEAM_CENTS {
+            return tune_solid(turn, stock, material, fineness, tuning, &beam);
+        }
+        if nearest.is_none_or(|nearest| worst(beam.cents) < worst(nearest.cents)) {
+            nearest = Some(beam);
+        }
+    }
+    let cents = nearest.map_or([f64::NAN; 3], |beam| beam.cents);
+    let times = cents.map(|cents| (cents / 1200.0).exp2());
+    Err(BarTuneError::OutOfReach {
+        pitch_hz: tuning.pitch_hz,
+        second: tuning.ratios[0],
+        third: tuning.ratios[1],
+        length_m: stock.length_m,
+        thickness_m: stock.thickness_m,
+        nearest_hz: tuning.pitch_hz * times[0],
+        nearest_second: tuning.ratios[0] * times[1] / times[0],
+        nearest_third: tuning.ratios[1] * times[2] / times[0],
+    })
+}
+
+/// A beam that has been tuned as far as it goes.
+#[derive(Clone, Copy)]
+struct Beam {
+    x: [f64; 3],
+    cents: [f64; 3],
+    /// Derivatives of the cents (rows) by the logarithms.
+    slopes: [[f64; 3]; 3],
+}
+
+fn tune_beam(
+    turn: Turn,
+    stock: &BarStock,
+    material: &Material,
+    tuning: &BarTuning,
+) -> Result<Beam, SolveError> {
+    const DIFFERENCE: f64 = 1e-3;
+    let cents_off = |x: [f64; 3]| -> Result<[f64; 3], SolveError> {
+        Ok(cents(beam_hz(&turn.bar(stock, x), material)?, tuning))
+    };
+    let mut x = turn.start();
+    let mut cents = cents_off(x)?;
+    let mut best: Option<Beam> = None;
+    for _ in 0..BEAM_STEPS {
+        let mut slopes = [[0.0; 3]; 3];
+        for column in 0..3 {
+            let mut aside = x;
+            aside[column] += DIFFERENCE;
+            let moved = cents_off(aside)?;
+            for row in 0..3 {
+                slopes[row][column] = (moved[row] - cents[row]) / DIFFERENCE;
+            }
+        }
+        if best.is_none_or(|best| worst(cents) < worst(best.cents)) {
+            best = Some(Beam { x, cents, slopes });
+        }
+        if worst(cents) < BEAM_CENTS {
+            break;
+        }
+        let Some(step) = solved(&slopes, cents) else {
+            break;
+        };
+        let length = step.iter().fold(0.0f64, |max, s| max.max(s.abs()));
+        let share = (LARGEST_STEP / length).min(1.0);
+        x = turn.clamp([0, 1, 2].map(|i| x[i] - share * step[i]));
+        cents = cents_off(x)?;
+    }
+    Ok(best.expect("at least one step"))
+}
+
+fn tune_solid(
+    turn: Turn,
+    stock: &BarStock,
+    material: &Material,
+    fineness: BarFineness,
+    tuning: &BarTuning,
+    beam: &Beam,
+) -> Result<Bar, BarTuneError> {
+    // The grid stays as it is through the search, so that the pitch is a smooth function.
+    let grid = fineness.grid(&turn.bar(stock, beam.x));
+    let cents_off = |x: [f64; 3]| -> Result<[f64; 3], SolveError> {
+        let quarter = Quarter::new(&turn.bar(stock, x), grid, material)?;
+        Ok(cents(bending_hz(&quarter)?, tuning))
+    };
+    let (mut x, mut slopes) = (beam.x, beam.slopes);
+    let mut cents = cents_off(x)?;
+    let within = |cents: [f64; 3], tolerance: f64| {
+        cents[0].abs() <= tolerance && cents[1..].iter().all(|c| c.abs() <= UPPER * tolerance)
+    };
+    for _ in 0..SOLID_STEPS {
+        if within(cents, MARGIN * tuning.tolerance_cents) {
+            break;
+        }
+        let Some(step) = solved(&slopes, cents) else {
+            break;
+        };
+        x = [0, 1, 2].map(|i| x[i] - step[i]);
+        cents = cents_off(x)?;
+        // What the straight line did not foresee is what is left.
+        let square: f64 = step.iter().map(|s| s * s).sum();
+        for row in 0..3 {
+            for column in 0..3 {
+                slopes[row][column] -= cents[row] * step[column] / square;
+            }
+        }
+    }
+    if within(cents, tuning.tolerance_cents) {
+        Ok(turn.bar(stock, x))
+    } else {
+        Err(BarTuneError::NotTuned {
+            pitch_hz: tuning.pitch_hz,
+            cents,
+        })
+    }
+}
+
+/// How far three modes are off, in cents.
+fn cents(hz: [f64; 3], tuning: &BarTuning) -> [f64; 3] {
+    let [second, third] = tuning.ratios;
+    let ratios = [1.0, second, third];
+    [0, 1, 2].map(|i| 1200.0 * (hz[i] / (ratios[i] * tuning.pitch_hz)).log2())
+}
+
+fn worst(cents: [f64; 3]) -> f64 {
+    cents.iter().fold(0.0, |worst, c| worst.max(c.abs()))
+}
+
+/// x of A x = b by Cramer's rule, rows of A given; `None` if A is singular.
+fn solved(a: &[[f64; 3]; 3], b: [f64; 3]) -> Option<[f64; 3]> {
+    let determinant = |m: &[[f64; 3]; 3]| {
+        (0..3)
+            .map(|i| {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                m[0][i] * (m[1][j] * m[2][k] - m[1][k] * m[2][j])
+            })
+            .sum::<f64>()
+    };
+    let whole = determinant(a);
+    let x = [0, 1, 2].map(|column| {
+        let mut replaced = *a;
+        for row in 0..3 {
+            replaced[row][column] = b[row];
+        }
+        determinant(&replaced) / whole
+    });
+    x.iter().all(|x| x.is_finite()).then_some(x)
+}
