@@ -67,11 +67,11 @@ pub struct Solution {
 const DENSE_BELOW: usize = 300;
 
 /// Largest residual of the inverse operator that counts as converged, relative to its eigenvalue.
-const TOLERANCE: f64 = 1e-9;
+const TOLERANCE: f64 = 4e-9;
 
 /// Shift below the spectrum, as the frequency whose −ω² it is: near the lowest modes, yet far enough
-/// from the rigid motions for K − σM to be well conditioned.
-const SHIFT_HZ: f64 = 200.0;
+/// from the rigid motions for K − σM to be well conditioned and for them not to outweigh the rest.
+const SHIFT_HZ: f64 = 1000.0;
 
 /// Largest relative residual that a mode may have. Rounding alone leaves some 10⁻¹⁶ times the ratio
 /// of the mesh's highest eigenvalue to the mode's: 3·10⁻⁷ for the lowest mode of a tube of 1.5 m.

@@ -59,7 +59,8 @@ impl<'a> Lanczos<'a> {
             random: SplitMix(0x1d10_f04e),
         };
         let start = lanczos.fresh();
-        lanczos.append(start, &[0.0; WIDTH]);
+        let gram = inner(&start, &mass.multiply(&start));
+        lanczos.append(start, &gram, &[0.0; WIDTH]);
         lanczos
     }
 
@@ -99,22 +100,24 @@ impl<'a> Lanczos<'a> {
         subtract_product(&mut product, &self.basis[newest..], &local);
         add_squares(&mut lengths, &local);
         // ... and what rounding leaves on all the others goes in one pass.
-        let rest = inner(&self.basis, &self.mass.multiply(&product));
+        let inertia = self.mass.multiply(&product);
+        let rest = inner(&self.basis, &inertia);
+        let gram = inner(&product, &inertia);
         subtract_product(&mut product, &self.basis, &rest);
         let last = &rest[rest.len() - WIDTH * WIDTH..];
         let entry = |at: usize| local[at] + last[at];
         self.diagonal.push(std::array::from_fn(|at| {
             0.5 * (entry(at) + entry(at % WIDTH * WIDTH + at / WIDTH))
         }));
-        let coupling = self.append(product, &lengths.map(f64::sqrt));
+        let coupling = self.append(product, &gram, &lengths.map(f64::sqrt));
         self.coupling.push(coupling);
     }
 
     /// M-orthonormalises `panel` in itself (it is already orthogonal to the basis, or there is
     /// none), appends it, and returns the triangle R with `panel` = Q R. `lengths` are the vectors'
-    /// before the basis was taken out of them.
-    fn append(&mut self, mut panel: Vec<f64>, lengths: &[f64; WIDTH]) -> Triangle {
-        let coupling = match cholesky_qr(self.mass, &mut panel) {
+    /// before the basis was taken out of them, `gram` their inner products to a few digits.
+    fn append(&mut self, mut panel: Vec<f64>, gram: &[f64], lengths: &[f64; WIDTH]) -> Triangle {
+        let coupling = match cholesky_qr(self.mass, &mut panel, gram) {
             Some((product, triangle))
                 if (0..WIDTH).all(|j| triangle[j * WIDTH + j] > NEW * lengths[j]) =>
             {

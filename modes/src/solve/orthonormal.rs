@@ -11,13 +11,16 @@ const SAFE_PIVOT: f64 = 1e-10;
 pub(super) type Triangle = [f64; WIDTH * WIDTH];
 
 /// Replaces the panel W by Q with W = Q R, QᵀMQ = I; returns MQ and R. `None`, with W as it was, if
-/// its vectors are nearly dependent.
-pub(super) fn cholesky_qr(mass: &Mass, w: &mut [f64]) -> Option<(Vec<f64>, Triangle)> {
-    let mut product = mass.multiply(w);
-    let first = cholesky(&inner(w, &product))?;
+/// its vectors are nearly dependent. `gram` is WᵀMW.
+pub(super) fn cholesky_qr(
+    mass: &Mass,
+    w: &mut [f64],
+    gram: &[f64],
+) -> Option<(Vec<f64>, Triangle)> {
+    let first = cholesky(gram)?;
     let mut q = vec![0.0; w.len()];
     add_product(&mut q, w, &inverse(&first));
-    product = mass.multiply(&q);
+    let product = mass.multiply(&q);
     let second = cholesky(&inner(&q, &product))?;
     // The second triangle is nearly the identity.
     let correction = inverse(&second);
