@@ -1,21 +1,29 @@
-//! Builds the factory banks, or finds them built, and names them to the crate.
+//! Builds the factory banks, or finds them built, and lists them for the crate.
 
 use modes::Recipe;
 use modes::factory::{Silent, cached};
 use std::env;
 use std::error::Error;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("cargo sets OUT_DIR")?);
     let folder = target_folder(&out).join("banks");
+    let (mut files, mut titles) = (String::new(), String::new());
     for (name, text) in Recipe::FACTORY {
         let recipe = Recipe::parse(text, name)?;
         let built = cached(&recipe, &folder, false, &Silent)?;
-        let variable = format!("IDIOPHONE_BANK_{}", name.to_uppercase());
-        println!("cargo::rustc-env={variable}={}", built.path.display());
+        writeln!(files, "    ({name:?}, include_bytes!({:?})),", built.path)?;
+        writeln!(titles, "    {:?},", recipe.title)?;
         println!("cargo::rerun-if-changed={}", built.path.display());
     }
+    let count = Recipe::FACTORY.len();
+    let list = format!(
+        "const COUNT: usize = {count};\nconst FILES: [Entry; COUNT] = [\n{files}];\n\
+         const TITLES: [&str; COUNT] = [\n{titles}];\n"
+    );
+    std::fs::write(out.join("banks.rs"), list)?;
     println!("cargo::rerun-if-changed=build.rs");
     Ok(())
 }

@@ -3,29 +3,57 @@
 use modes::Bank;
 use std::sync::OnceLock;
 
-static CHIMES: &[u8] = include_bytes!(env!("IDIOPHONE_BANK_CHIMES"));
+/// One bank: its name, and its file's content.
+type Entry = (&'static str, &'static [u8]);
 
-/// The chimes of O'Brien 2002 over five octaves: read once, for all instances.
+include!(concat!(env!("OUT_DIR"), "/banks.rs"));
+
+/// The factory's banks in the order of the `Instrument` parameter.
+pub const BANKS: [Entry; COUNT] = FILES;
+
+/// The bank at `index`, read once for all instances; the first if there is none.
 ///
 /// # Panics
 ///
 /// Never: the build that wrote the bank has read it.
 #[must_use]
-pub fn chimes() -> &'static Bank {
-    static BANK: OnceLock<Bank> = OnceLock::new();
-    BANK.get_or_init(|| Bank::read(CHIMES).expect("the bank is as it was built"))
+pub fn bank(index: usize) -> &'static Bank {
+    static READ: [OnceLock<Bank>; COUNT] = [const { OnceLock::new() }; COUNT];
+    let index = if index < COUNT { index } else { 0 };
+    READ[index].get_or_init(|| Bank::read(BANKS[index].1).expect("the bank is as it was built"))
+}
+
+/// The instruments' names for people.
+pub fn titles() -> impl Iterator<Item = &'static str> {
+    TITLES.into_iter()
+}
+
+/// The name of the instrument nearest to `index`.
+#[must_use]
+pub fn title(index: f32) -> &'static str {
+    #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
+    let index = index.round() as usize;
+    TITLES[index.min(COUNT - 1)]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::chimes;
-    use crate::engine::Settings;
+    use super::{BANKS, TITLES, bank};
 
     #[test]
-    fn the_bank_holds_five_octaves_with_the_damping_that_the_parameters_start_with() {
-        let bank = chimes();
-        let keys: Vec<u8> = bank.bodies.iter().map(|body| body.key).collect();
+    fn banks_have_the_names_and_titles_that_are_listed() {
+        for (index, (name, _)) in BANKS.iter().enumerate() {
+            assert_eq!(bank(index).name, *name);
+            assert_eq!(bank(index).title, TITLES[index]);
+        }
+        assert_eq!(bank(usize::MAX).name, "chimes");
+        let keys: Vec<u8> = bank(0).bodies.iter().map(|body| body.key).collect();
         assert_eq!(keys, (36..=96).collect::<Vec<_>>());
-        assert_eq!(bank.damping, Settings::DEFAULT.damping);
+    }
+
+    #[test]
+    fn all_banks_together_are_below_30_mb() {
+        let bytes: usize = BANKS.iter().map(|(_, file)| file.len()).sum();
+        assert!(bytes < 30_000_000, "{bytes}");
     }
 }

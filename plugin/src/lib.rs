@@ -8,15 +8,17 @@ pub mod factory;
 mod notes;
 pub mod params;
 mod player;
+mod stage;
 
-use engine::Engine;
 use nice_plug::prelude::{
     ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,
     ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, ProcessContext, ProcessStatus,
-    RemoteControlsContext, RemoteControlsPage, RemoteControlsSection, Vst3Plugin, Vst3SubCategory,
+    RemoteControlsContext, RemoteControlsPage, RemoteControlsSection, TaskExecutor, Vst3Plugin,
+    Vst3SubCategory,
 };
 use params::Controls;
 use player::Player;
+use stage::{Stage, Task, Wings};
 use std::sync::Arc;
 
 /// The plug-in.
@@ -24,6 +26,7 @@ use std::sync::Arc;
 pub struct Idiophone {
     controls: Arc<Controls>,
     player: Option<Player>,
+    wings: Wings,
 }
 
 impl Plugin for Idiophone {
@@ -42,10 +45,15 @@ impl Plugin for Idiophone {
 
     type Editor = ();
     type SysExMessage = ();
-    type BackgroundTask = ();
+    type BackgroundTask = Task;
 
     fn params(&self) -> Arc<dyn Params> {
         self.controls.clone()
+    }
+
+    fn task_executor(&mut self) -> TaskExecutor<Self> {
+        let wings = self.wings.clone();
+        Box::new(move |task| wings.work(task))
     }
 
     fn filter_state(state: &mut PluginState) {
@@ -58,10 +66,8 @@ impl Plugin for Idiophone {
         buffer: &BufferConfig,
         _context: &mut impl ActivateContext<Self>,
     ) -> bool {
-        self.player = Some(Player::new(Engine::new(
-            factory::chimes(),
-            f64::from(buffer.sample_rate),
-        )));
+        let rate_hz = f64::from(buffer.sample_rate);
+        self.player = Some(Player::new(Stage::new(self.controls.instrument(), rate_hz)));
         true
     }
 
@@ -84,9 +90,13 @@ impl Plugin for Idiophone {
             }
             return ProcessStatus::Normal;
         };
-        player.engine.set(&self.controls.settings());
+        let stage = player.stage();
+        if let Some(task) = stage.turn(self.controls.instrument(), &self.wings) {
+            context.execute_background(task);
+        }
+        stage.set(&self.controls.settings());
         player.play::<Self>(left, right, context);
-        if player.engine.awake() == 0 {
+        if player.stage().awake() == 0 {
             ProcessStatus::Normal
         } else {
             ProcessStatus::KeepAlive
@@ -107,7 +117,7 @@ impl ClapPlugin for Idiophone {
     ];
 
     fn remote_controls(&self, context: &mut impl RemoteControlsContext) {
-        context.add_section("Chimes", |section| {
+        context.add_section("Instrument", |section| {
             section.add_page("Strike and material", |page| {
                 let controls = &self.controls;
                 page.add_param(&controls.strike_position);
@@ -117,7 +127,7 @@ impl ClapPlugin for Idiophone {
                 page.add_param(&controls.alpha1);
                 page.add_param(&controls.alpha2);
                 page.add_param(&controls.note_off);
-                page.add_param(&controls.output_gain);
+                page.add_param(&controls.instrument);
             });
         });
     }

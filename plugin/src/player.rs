@@ -2,26 +2,32 @@
 
 use crate::engine::Engine;
 use crate::notes::{Note, Notes};
+use crate::stage::Stage;
 use nice_plug::midi::Key;
 use nice_plug::prelude::{NoteEvent, Plugin, PluginNoteEvent, ProcessContext, control_change};
 
 /// An engine and the notes it owes the host an end of.
 pub(crate) struct Player {
-    pub(crate) engine: Engine,
+    stage: Stage,
     notes: Notes,
 }
 
 impl Player {
-    pub(crate) fn new(engine: Engine) -> Self {
+    pub(crate) fn new(stage: Stage) -> Self {
         Self {
-            engine,
+            stage,
             notes: Notes::new(),
         }
     }
 
+    /// The instruments.
+    pub(crate) fn stage(&mut self) -> &mut Stage {
+        &mut self.stage
+    }
+
     /// Silence, at once.
     pub(crate) fn reset(&mut self) {
-        self.engine.reset();
+        self.stage.reset();
         self.notes = Notes::new();
     }
 
@@ -39,7 +45,7 @@ impl Player {
             let until = event.as_ref().map_or(frames, |event| {
                 usize::try_from(event.timing()).map_or(frames, |time| time.clamp(done, frames))
             });
-            self.engine
+            self.stage
                 .process(&mut left[done..until], &mut right[done..until]);
             done = until;
             // The host counts in u32, and an end belongs to a sample of this block.
@@ -48,7 +54,7 @@ impl Player {
             if let Some(event) = &handled {
                 self.handle::<P>(event, now, context);
             }
-            while let Some(note) = self.notes.end_one(self.engine.awake()) {
+            while let Some(note) = self.notes.end_one(self.stage.awake()) {
                 end::<P>(note, now, context);
             }
             if handled.is_none() {
@@ -80,7 +86,7 @@ impl Player {
                 if let Some(earlier) = self.notes.begin(note) {
                     end::<P>(earlier, now, context);
                 }
-                self.engine.strike(key, velocity);
+                self.stage.strike(key, velocity);
             }
             NoteEvent::NoteOff {
                 voice_id,
@@ -90,7 +96,7 @@ impl Player {
             } => {
                 let keys = self.notes.addressed(voice_id, channel, key);
                 for key in each(keys) {
-                    self.engine.release(key);
+                    self.stage.each(|engine| engine.release(key));
                 }
             }
             NoteEvent::Choke {
@@ -101,14 +107,14 @@ impl Player {
             } => {
                 let keys = self.notes.addressed(voice_id, channel, key);
                 for key in each(keys) {
-                    self.engine.choke(key);
+                    self.stage.each(|engine| engine.choke(key));
                 }
             }
             NoteEvent::MidiCC { cc, value, .. } => match cc {
-                control_change::DAMPER_PEDAL => self.engine.pedal(value >= 0.5),
-                control_change::RESET_ALL_CONTROLLERS => self.engine.pedal(false),
+                control_change::DAMPER_PEDAL => self.stage.pedal(value >= 0.5),
+                control_change::RESET_ALL_CONTROLLERS => self.stage.pedal(false),
                 control_change::ALL_SOUND_OFF | control_change::ALL_NOTES_OFF => {
-                    self.engine.choke_all();
+                    self.stage.each(Engine::choke_all);
                 }
                 _ => {}
             },
@@ -163,7 +169,7 @@ mod tests {
         fn plugin_api(&self) -> PluginApi {
             PluginApi::Clap
         }
-        fn execute_background(&self, (): ()) {}
+        fn execute_background(&self, _: Task) {}
         fn execute_gui(&self, (): ()) {}
         fn transport(&self) -> &Transport {
             &self.transport
@@ -207,7 +213,7 @@ mod tests {
     }
 
     fn player() -> Player {
-        Player::new(Engine::new(crate::factory::chimes(), 48_000.0))
+        Player::new(Stage::new(0, 48_000.0))
     }
 
     fn play(player: &mut Player, frames: usize, events: Vec<Event>) -> (Vec<f32>, Vec<(u32, i32)>) {
@@ -237,9 +243,9 @@ mod tests {
         ];
         let (_, ended) = play(&mut player, 64, events);
         assert_eq!(ended, []);
-        assert_eq!(player.engine.awake(), 1 << 60 | 1 << 64 | 1 << 67);
+        assert_eq!(player.stage.awake(), 1 << 60 | 1 << 64 | 1 << 67);
         play(&mut player, 0, vec![on(0, 5, 72, 0.5)]);
-        assert!(player.engine.awake() >> 72 & 1 == 1);
+        assert!(player.stage.awake() >> 72 & 1 == 1);
     }
 
     #[test]
@@ -261,7 +267,7 @@ mod tests {
         let (left, ended) = play(&mut player, 9600, vec![]);
         assert_eq!(ended.len(), 1);
         assert_eq!(ended[0].1, 2);
-        assert_eq!(player.engine.awake(), 0);
+        assert_eq!(player.stage.awake(), 0);
         assert_eq!(left[9599], 0.0);
     }
 
@@ -276,8 +282,8 @@ mod tests {
         };
         let events = vec![on(0, 1, 60, 0.5), on(0, 2, 64, 0.5), choke];
         play(&mut player, 10_000, events);
-        assert_eq!(player.engine.awake(), 1 << 64);
+        assert_eq!(player.stage.awake(), 1 << 64);
         player.reset();
-        assert_eq!(player.engine.awake(), 0);
+        assert_eq!(player.stage.awake(), 0);
     }
 }

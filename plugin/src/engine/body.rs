@@ -1,9 +1,10 @@
 //! One object: its modes, and how they wake, change and fall asleep.
 
-use super::oscillators::{Kernel, Oscillators, Push, Uptake};
+use super::losses::Drain;
+use super::oscillators::{Buses, Kernel, Oscillators, Push, Uptake};
 use super::rates::{Rates, Retune, uptake};
 use super::{GRID, contact::Contact};
-use modes::{Rayleigh, Stencil};
+use modes::{Ears, Stencil};
 
 /// Amplitude below which a mode is stopped, as a fraction of full scale: −180 dB.
 const FLOOR: f64 = 1e-9;
@@ -17,26 +18,34 @@ pub(crate) struct Body {
     pub(crate) mass_kg: f64,
     /// Mallets on it now.
     pub(crate) contacts: usize,
-    /// Left and right gain at the last grid point and at the next.
-    pub(crate) ears: [[f64; 2]; 2],
+    /// Whether the bank says what the damper's felt does to it.
+    pub(crate) has_felt: bool,
     oscillators: Oscillators,
     rates: Rates,
     uptake: Uptake,
     /// φ·n̂ in kg^(−1/2), point by point and mode by mode.
     normal: Vec<f32>,
     points: usize,
-    /// Output per modal displacement, from the mode's coupling.
+    /// Full scale per modal displacement, at the nearer ear.
     weight: Vec<f64>,
     inverse_omega_s: Vec<f64>,
-    /// Damping and extra decay rate that the oscillators have now.
-    tuned: Option<(Rayleigh, f64)>,
+    /// What the oscillators are tuned for.
+    tuned: Option<Drain>,
 }
 
 /// A mode as the engine needs it.
 struct Reached {
     hz: f64,
-    coupling: f64,
+    ears: Ears,
+    /// Decay rates in 1/s by radiation, supports and felt.
+    air: [f64; 3],
     normal: Vec<f32>,
+}
+
+/// Size of the sound at the ear that gets more of it.
+fn loudest(ears: &Ears) -> f64 {
+    let size = |ear: &[f32; 2]| f64::from(ear[0]).hypot(f64::from(ear[1]));
+    ears.iter().map(size).fold(0.0, f64::max)
 }
 
 /// The modes that a strike somewhere on the line makes heard, by rising frequency.
@@ -45,7 +54,7 @@ fn reached(body: &modes::Body) -> Vec<Reached> {
     let sound = |mode: &&modes::Mode| {
         mode.hz.is_finite()
             && mode.hz > 0.0
-            && mode.coupling.is_finite()
+            && loudest(&mode.ears).is_finite()
             && mode.shape.len() == points
     };
     let mut all: Vec<(Reached, f64)> = body
@@ -62,10 +71,11 @@ fn reached(body: &modes::Body) -> Vec<Reached> {
                 })
                 .collect();
             let most = normal.iter().fold(0.0, |m: f32, v| m.max(v.abs()));
-            let reach = f64::from(most) * mode.coupling.abs() / mode.hz;
+            let reach = f64::from(most) * loudest(&mode.ears) / mode.hz;
             let mode = Reached {
                 hz: mode.hz,
-                coupling: mode.coupling,
+                ears: mode.ears,
+                air: [mode.radiation_per_s, mode.support_per_s, mode.felt_per_s].map(f64::from),
                 normal,
             };
             (mode, reach)
@@ -78,18 +88,27 @@ fn reached(body: &modes::Body) -> Vec<Reached> {
 }
 
 impl Body {
-    /// From a bank's body; `scale` takes volume velocity in m³/s to full scale.
+    /// From a bank's body; `scale` takes Pa to full scale.
     pub(crate) fn new(body: &modes::Body, step_s: f64, scale: f64) -> Self {
         let modes = reached(body);
         let hz: Vec<f64> = modes.iter().map(|mode| mode.hz).collect();
         let omega: Vec<f64> = hz.iter().map(|hz| std::f64::consts::TAU * hz).collect();
-        let oscillators = Oscillators::new(modes.len());
+        let mut oscillators = Oscillators::new(modes.len());
         let padded = oscillators.len();
         let points = body.line.len();
         let mut normal = vec![0.0; points * padded];
         let mut weight = vec![0.0; padded];
         for (i, mode) in modes.iter().enumerate() {
-            weight[i] = mode.coupling * scale;
+            let size = loudest(&mode.ears);
+            weight[i] = size * scale;
+            if size > 0.0 {
+                let [left, right] = mode.ears.map(|ear| ear.map(|x| f64::from(x) / size));
+                let power: f64 = left.iter().chain(&right).map(|x| x * x).sum();
+                let hear = [left[0], left[1], right[0], right[1], (0.5 * power).sqrt()];
+                for (gains, gain) in oscillators.hear.iter_mut().zip(hear) {
+                    gains[i] = gain;
+                }
+            }
             for (point, value) in mode.normal.iter().enumerate() {
                 normal[point * padded + i] = *value;
             }
@@ -97,8 +116,8 @@ impl Body {
         Self {
             mass_kg: body.mass_kg,
             contacts: 0,
-            ears: [[0.0; 2]; 2],
-            rates: Rates::new(&hz, step_s),
+            has_felt: modes.iter().any(|mode| mode.air[2] > 0.0),
+            rates: Rates::new(&hz, |i| modes[i].air, step_s),
             uptake: uptake(&omega, step_s),
             normal,
             points,
@@ -114,14 +133,13 @@ impl Body {
         self.oscillators.len()
     }
 
-    /// Gives the modes this damping, if they have another.
-    pub(crate) fn tune(&mut self, kernel: Kernel, damping: Rayleigh, extra_per_s: f64) {
-        let wanted = Some((damping, extra_per_s));
+    /// Gives the modes these losses, if they have others.
+    pub(crate) fn tune(&mut self, kernel: Kernel, drain: Drain) {
+        let wanted = Some(drain);
         if self.tuned != wanted {
             kernel.run(Retune {
                 rates: &self.rates,
-                damping,
-                extra_per_s,
+                drain: &drain,
                 oscillators: &mut self.oscillators,
                 inverse_omega_s: &mut self.inverse_omega_s,
             });
@@ -169,18 +187,25 @@ impl Body {
         }
     }
 
-    /// Writes the next samples to `out`.
-    pub(crate) fn ring(&mut self, kernel: Kernel, contacts: &[Contact], key: u8, out: &mut [f64]) {
-        debug_assert!(out.len() <= GRID);
+    /// Writes the next `samples` to `out`.
+    pub(crate) fn ring(
+        &mut self,
+        kernel: Kernel,
+        contacts: &[Contact],
+        key: u8,
+        samples: usize,
+        out: &mut Buses,
+    ) {
+        debug_assert!(samples <= GRID);
         if self.contacts == 0 {
-            kernel.ring(&mut self.oscillators, out);
+            kernel.ring(&mut self.oscillators, samples, out);
         } else {
             let push = Push {
                 contacts,
                 key,
                 uptake: &self.uptake,
             };
-            kernel.ring_pushed(&mut self.oscillators, push, out);
+            kernel.ring_pushed(&mut self.oscillators, push, samples, out);
         }
     }
 

@@ -4,13 +4,13 @@ use super::body::Body;
 use super::contact::{Contact, Prepare, slot_for_next};
 use super::damper::{Damper, bit};
 use super::glide::Glide;
-use super::level::full_scale;
-use super::listener::ears;
+use super::level::full_scales;
+use super::losses::{Drain, Losses};
 use super::mallet::Mallet;
-use super::oscillators::Kernel;
+use super::oscillators::{Buses, Kernel};
 use super::touch::{Touch, chance};
 use super::{GRID, Settings};
-use modes::{Bank, Rayleigh, Stencil};
+use modes::{Bank, Damping, Rayleigh, Stencil};
 
 /// No sample is ever beyond this, whatever is played: 36 dB over full scale. Below it the output is
 /// the sum of the modes, bit for bit.
@@ -31,14 +31,16 @@ const RATES_HZ: (f64, f64) = (1e3, 768e3);
 /// [`Engine::process`] cut the time.
 pub struct Engine {
     bodies: Vec<Option<Body>>,
-    /// Where each body stands in the row, 0…1.
-    places: Vec<f64>,
+    /// What the material of the bodies takes by itself.
+    own: Damping,
     contacts: Vec<Contact>,
     on_bodies: usize,
     awake: u128,
     damper: Damper,
     settings: Settings,
     glides: Glides,
+    /// Gains of the stereo buses and of the plain one, at the last grid point and at the next.
+    mix: [[f64; 2]; 2],
     kernel: Kernel,
     step_s: f64,
     position: u64,
@@ -46,47 +48,87 @@ pub struct Engine {
 
 /// Values that move slowly enough not to click.
 struct Glides {
+    own: Glide,
     alpha1_s: Glide,
     alpha2_per_s: Glide,
+    loss_factor: Glide,
+    radiation: Glide,
+    supports: Glide,
     width: Glide,
     gain: Glide,
 }
 
 impl Glides {
     fn new(settings: &Settings, steps: u32) -> Self {
+        let Losses {
+            own,
+            added,
+            radiation,
+            supports,
+        } = settings.losses;
+        let glide = |value| Glide::new(value, steps);
         Self {
-            alpha1_s: Glide::new(settings.damping.alpha1_s, steps),
-            alpha2_per_s: Glide::new(settings.damping.alpha2_per_s, steps),
-            width: Glide::new(settings.width, steps),
-            gain: Glide::new(decibels(settings.gain_db), steps),
+            own: glide(own),
+            alpha1_s: glide(added.rayleigh.alpha1_s),
+            alpha2_per_s: glide(added.rayleigh.alpha2_per_s),
+            loss_factor: glide(added.loss_factor),
+            radiation: glide(radiation),
+            supports: glide(supports),
+            width: glide(settings.width),
+            gain: glide(decibels(settings.gain_db)),
         }
     }
 
-    fn each(&mut self) -> [&mut Glide; 4] {
+    fn each(&mut self) -> [&mut Glide; 8] {
         [
+            &mut self.own,
             &mut self.alpha1_s,
             &mut self.alpha2_per_s,
+            &mut self.loss_factor,
+            &mut self.radiation,
+            &mut self.supports,
             &mut self.width,
             &mut self.gain,
         ]
     }
 
     fn aim(&mut self, settings: &Settings) {
-        self.alpha1_s.aim(settings.damping.alpha1_s);
-        self.alpha2_per_s.aim(settings.damping.alpha2_per_s);
+        let Losses {
+            own,
+            added,
+            radiation,
+            supports,
+        } = settings.losses;
+        self.own.aim(own);
+        self.alpha1_s.aim(added.rayleigh.alpha1_s);
+        self.alpha2_per_s.aim(added.rayleigh.alpha2_per_s);
+        self.loss_factor.aim(added.loss_factor);
+        self.radiation.aim(radiation);
+        self.supports.aim(supports);
         self.width.aim(settings.width);
         self.gain.aim(decibels(settings.gain_db));
     }
 
-    fn damping(&self) -> Rayleigh {
-        Rayleigh {
-            alpha1_s: self.alpha1_s.value(),
-            alpha2_per_s: self.alpha2_per_s.value(),
-        }
+    fn drain(&self, own: &Damping) -> Drain {
+        let losses = Losses {
+            own: self.own.value(),
+            added: Damping {
+                rayleigh: Rayleigh {
+                    alpha1_s: self.alpha1_s.value(),
+                    alpha2_per_s: self.alpha2_per_s.value(),
+                },
+                loss_factor: self.loss_factor.value(),
+            },
+            radiation: self.radiation.value(),
+            supports: self.supports.value(),
+        };
+        losses.drain(own)
     }
 
-    fn ears(&self, place: f64) -> [f64; 2] {
-        ears(place, self.width.value()).map(|ear| ear * self.gain.value())
+    /// Gain of the stereo buses and of the one without places.
+    fn mix(&self) -> [f64; 2] {
+        let (gain, width) = (self.gain.value(), self.width.value());
+        [gain * width, gain * (1.0 - width)]
     }
 }
 
@@ -118,16 +160,14 @@ fn finish(sample: f64) -> f32 {
 }
 
 impl Engine {
-    /// An instrument from a bank, at rest, with default settings but the bank's damping.
+    /// An instrument from a bank, at rest, with default settings.
     ///
     /// A rate outside 1 kHz…768 kHz is taken as the nearer of the two. Bodies without a strike line
     /// of at least [`Stencil::POINTS`] points, or for no MIDI key, are left out.
     #[must_use]
     pub fn new(bank: &Bank, sample_rate_hz: f64) -> Self {
         let step_s = 1.0 / sample_rate_hz.max(RATES_HZ.0).min(RATES_HZ.1);
-        let scale = full_scale(bank);
         let mut bodies: Vec<Option<Body>> = vec![None; 128];
-        let mut places = vec![0.5; 128];
         let usable: Vec<&modes::Body> = bank
             .bodies
             .iter()
@@ -138,29 +178,23 @@ impl Engine {
                     && body.mass_kg > 0.0
             })
             .collect();
-        for (i, body) in usable.iter().enumerate() {
-            let key = usize::from(body.key);
-            bodies[key] = Some(Body::new(body, step_s, scale));
-            if usable.len() > 1 {
-                places[key] = i as f64 / (usable.len() - 1) as f64;
-            }
+        for (body, scale) in usable.iter().zip(full_scales(&bank.damping, &usable)) {
+            bodies[usize::from(body.key)] = Some(Body::new(body, step_s, scale));
         }
         let most = bodies.iter().flatten().map(Body::modes).max().unwrap_or(0);
-        let settings = Settings {
-            damping: bank.damping,
-            ..Settings::default()
-        }
-        .sane();
+        let settings = Settings::default();
         #[expect(clippy::cast_sign_loss, reason = "both factors are positive")]
         let steps = (GLIDE_S / (step_s * GRID as f64)).ceil() as u32;
+        let glides = Glides::new(&settings, steps);
         Self {
             bodies,
-            places,
+            own: bank.damping,
             contacts: vec![Contact::new(most); CONTACTS],
             on_bodies: 0,
             awake: 0,
             damper: Damper::default(),
-            glides: Glides::new(&settings, steps),
+            mix: [glides.mix(); 2],
+            glides,
             settings,
             kernel: Kernel::detect(),
             step_s,
@@ -209,8 +243,7 @@ impl Engine {
         };
         if self.awake & bit(key) == 0 {
             self.awake |= bit(key);
-            body.tune(self.kernel, self.glides.damping(), 0.0);
-            body.ears = [self.glides.ears(self.places[usize::from(key)]); 2];
+            body.tune(self.kernel, self.glides.drain(&self.own));
         }
         let contact = &mut self.contacts[slot];
         contact.begin(key, mallet.pulse(body.mass_kg, touch.speed_m_s));
@@ -275,6 +308,7 @@ impl Engine {
         for glide in self.glides.each() {
             glide.snap();
         }
+        self.mix = [self.glides.mix(); 2];
     }
 
     /// A slot for a contact; if there is none, a mallet gives the rest of its impulse at once.
@@ -300,19 +334,25 @@ impl Engine {
         for glide in self.glides.each() {
             glide.advance();
         }
+        self.mix = [self.mix[1], self.glides.mix()];
         self.lift_mallets();
-        let damping = self.glides.damping();
+        let drain = self.glides.drain(&self.own);
         for key in keys(self.awake) {
             let slot = usize::from(key);
             let Some(body) = self.bodies[slot].as_mut() else {
                 continue;
             };
+            let dampers = self
+                .damper
+                .on(key, self.settings.note_off_damps, body.has_felt);
             body.tune(
                 self.kernel,
-                damping,
-                self.damper.decay_per_s(key, self.settings.note_off_damps),
+                Drain {
+                    felt: dampers.felt,
+                    hand_per_s: dampers.hand_per_s,
+                    ..drain
+                },
             );
-            body.ears = [body.ears[1], self.glides.ears(self.places[slot])];
             if !body.settle() {
                 body.hush();
                 self.awake &= !bit(key);
@@ -353,24 +393,24 @@ impl Engine {
                 step_s: self.step_s,
             });
         }
-        let mut mix = [[0.0; 2]; GRID];
-        let mut mono = [0.0; GRID];
+        let (mut all, mut one): (Buses, Buses) = ([[0.0; GRID]; 3], [[0.0; GRID]; 3]);
         for key in keys(self.awake) {
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            body.ring(self.kernel, &self.contacts, key, &mut mono[..run]);
-            let [from, to] = body.ears;
-            for (n, (both, sample)) in mix.iter_mut().zip(&mono[..run]).enumerate() {
-                let share = (phase + n) as f64 / GRID as f64;
-                for ear in 0..2 {
-                    both[ear] += sample * (from[ear] + (to[ear] - from[ear]) * share);
+            body.ring(self.kernel, &self.contacts, key, run, &mut one);
+            for (all, one) in all.iter_mut().zip(&one) {
+                for (sum, sample) in all[..run].iter_mut().zip(one) {
+                    *sum += sample;
                 }
             }
         }
-        for ((both, left), right) in mix.iter().zip(left).zip(right) {
-            *left = finish(both[0]);
-            *right = finish(both[1]);
+        let [from, to] = self.mix;
+        for n in 0..run {
+            let share = (phase + n) as f64 / GRID as f64;
+            let [wide, plain] = [0, 1].map(|k| from[k] + (to[k] - from[k]) * share);
+            left[n] = finish(wide * all[0][n] + plain * all[2][n]);
+            right[n] = finish(wide * all[1][n] + plain * all[2][n]);
         }
     }
 }

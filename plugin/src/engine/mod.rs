@@ -7,7 +7,7 @@ mod damper;
 mod glide;
 mod instrument;
 mod level;
-mod listener;
+mod losses;
 mod mallet;
 mod oscillators;
 mod pulse;
@@ -16,6 +16,7 @@ mod settings;
 mod touch;
 
 pub use instrument::{Engine, OUTPUT_BOUND};
+pub use losses::Losses;
 pub use settings::{Settings, range};
 
 /// Samples between two looks at the parameters, at what still sounds and at what has ended.

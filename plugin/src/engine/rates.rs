@@ -1,8 +1,8 @@
 //! From damping to the oscillators' steps: Eq. 9 of O'Brien 2002 while the body rings.
 
 use super::bessel::{ORDERS, spherical_bessel};
+use super::losses::Drain;
 use super::oscillators::{LANES, Oscillators, Uptake};
-use modes::Rayleigh;
 use std::f64::consts::PI;
 
 /// Modes from this share of half the sample rate on are silent, not aliased.
@@ -32,6 +32,8 @@ pub(crate) struct Rates {
     /// exp(iωT/2), or 0 for a mode that is never heard.
     half_re: Vec<f64>,
     half_im: Vec<f64>,
+    /// Decay rates in 1/s that radiation, supports and felt give when they count once.
+    air: [Vec<f64>; 3],
     step_s: f64,
 }
 
@@ -50,19 +52,24 @@ pub(crate) fn uptake(omega: &[f64], step_s: f64) -> Uptake {
 }
 
 impl Rates {
-    /// For modes at undamped frequencies `hz`, sampled every `step_s`.
-    pub(crate) fn new(hz: &[f64], step_s: f64) -> Self {
+    /// For modes at undamped frequencies `hz`, sampled every `step_s`, to which radiation, supports
+    /// and felt give the decay rates `air` in 1/s.
+    pub(crate) fn new(hz: &[f64], air: impl Fn(usize) -> [f64; 3], step_s: f64) -> Self {
         let padded = hz.len().next_multiple_of(LANES);
         // Padding has a frequency too, lest the loop below divide by zero.
         let mut rates = Self {
             omega: vec![1.0; padded],
             half_re: vec![0.0; padded],
             half_im: vec![0.0; padded],
+            air: std::array::from_fn(|_| vec![0.0; padded]),
             step_s,
         };
         for (i, hz) in hz.iter().enumerate() {
             let omega = std::f64::consts::TAU * hz;
             rates.omega[i] = omega;
+            for (rates, rate) in rates.air.iter_mut().zip(air(i)) {
+                rates[i] = rate;
+            }
             if omega * step_s < HIGHEST * PI {
                 (rates.half_im[i], rates.half_re[i]) = (0.5 * omega * step_s).sin_cos();
             }
@@ -70,15 +77,14 @@ impl Rates {
         rates
     }
 
-    /// Sets the oscillators' steps, and 1/Ω in s, for a damping and an extra decay rate.
+    /// Sets the oscillators' steps, and 1/Ω in s, for what drains the modes.
     ///
     /// A mode so damped that Ω < ω/10 is silenced. No call to a library: exp((−d − i(ω−Ω))T/2)
     /// is a short series squared five times, turned by exp(iωT/2).
     #[inline(always)]
     pub(crate) fn apply(
         &self,
-        damping: Rayleigh,
-        extra_per_s: f64,
+        drain: &Drain,
         oscillators: &mut Oscillators,
         inverse_omega_s: &mut [f64],
     ) {
@@ -88,9 +94,15 @@ impl Rates {
         let (half_re, half_im) = (&mut oscillators.half_re[..n], &mut oscillators.half_im[..n]);
         let (step_re, step_im) = (&mut oscillators.step_re[..n], &mut oscillators.step_im[..n]);
         let inverse = &mut inverse_omega_s[..n];
+        let [radiation, supports, felt] = [0, 1, 2].map(|k| &self.air[k][..n]);
         for i in 0..n {
             let lambda = omega[i] * omega[i];
-            let decay = 0.5 * (damping.alpha1_s * lambda + damping.alpha2_per_s) + extra_per_s;
+            let stiffness = drain.alpha1_s * lambda + drain.loss_factor * omega[i];
+            let material = 0.5 * (stiffness + drain.alpha2_per_s);
+            let outside = drain.radiation * radiation[i]
+                + drain.supports * supports[i]
+                + drain.felt * felt[i];
+            let decay = material + outside + drain.hand_per_s;
             let square = (omega[i] - decay) * (omega[i] + decay);
             let heard = square > 0.01 * lambda;
             let decay = decay.min(omega[i]);
@@ -120,8 +132,7 @@ impl Rates {
 /// [`Rates::apply`] as a task for a kernel.
 pub(crate) struct Retune<'a> {
     pub(crate) rates: &'a Rates,
-    pub(crate) damping: Rayleigh,
-    pub(crate) extra_per_s: f64,
+    pub(crate) drain: &'a Drain,
     pub(crate) oscillators: &'a mut Oscillators,
     pub(crate) inverse_omega_s: &'a mut [f64],
 }
@@ -131,20 +142,17 @@ impl pulp::WithSimd for Retune<'_> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
-        self.rates.apply(
-            self.damping,
-            self.extra_per_s,
-            self.oscillators,
-            self.inverse_omega_s,
-        );
+        self.rates
+            .apply(self.drain, self.oscillators, self.inverse_omega_s);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::Rates;
+    use crate::engine::losses::Drain;
     use crate::engine::oscillators::Oscillators;
-    use modes::{Motion, Rayleigh};
+    use modes::Motion;
     use std::f64::consts::TAU;
 
     #[test]
@@ -152,19 +160,32 @@ mod tests {
         let hz: Vec<f64> = (0..64).map(|i| 20.0 * 1.115f64.powi(i)).collect();
         let mut heard = 0;
         for rate_hz in [44_100.0, 48_000.0, 192_000.0] {
-            let rates = Rates::new(&hz, 1.0 / rate_hz);
+            let air = |i: usize| [0.01 * i as f64, 0.3, 20.0];
+            let rates = Rates::new(&hz, air, 1.0 / rate_hz);
             let mut bank = Oscillators::new(hz.len());
             let mut inverse = vec![0.0; bank.len()];
             for alpha1_s in [0.0, 1e-7, 1e-6, 8e-6, 2e-5] {
                 for alpha2_per_s in [0.0, 0.5, 50.0, 100.0] {
-                    let damping = Rayleigh {
+                    let drain = Drain {
                         alpha1_s,
                         alpha2_per_s,
+                        loss_factor: 1e-3,
+                        radiation: 2.0,
+                        supports: 0.5,
+                        felt: 0.25,
+                        hand_per_s: 1.5,
                     };
-                    rates.apply(damping, 0.0, &mut bank, &mut inverse);
+                    rates.apply(&drain, &mut bank, &mut inverse);
                     for (i, &hz) in hz.iter().enumerate() {
                         let step = (bank.step_re[i], bank.step_im[i]);
-                        match damping.motion(hz) {
+                        let omega = TAU * hz;
+                        let decay = 0.5 * (alpha1_s * omega * omega + alpha2_per_s)
+                            + 0.5e-3 * omega
+                            + 0.02 * i as f64
+                            + 0.15
+                            + 5.0
+                            + 1.5;
+                        match Motion::of(hz, decay) {
                             Motion::Ringing {
                                 hz: damped,
                                 decay_per_s,
@@ -188,18 +209,10 @@ mod tests {
 
     #[test]
     fn modes_above_half_the_rate_are_silent() {
-        let rates = Rates::new(&[400.0, 499.0, 700.0], 1e-3);
+        let rates = Rates::new(&[400.0, 499.0, 700.0], |_| [0.0; 3], 1e-3);
         let mut bank = Oscillators::new(3);
         let mut inverse = vec![0.0; bank.len()];
-        rates.apply(
-            Rayleigh {
-                alpha1_s: 0.0,
-                alpha2_per_s: 0.0,
-            },
-            0.0,
-            &mut bank,
-            &mut inverse,
-        );
+        rates.apply(&Drain::default(), &mut bank, &mut inverse);
         assert!(bank.step_re[0] != 0.0);
         assert_eq!(bank.step_re[1..], [0.0; 7]);
         assert_eq!(bank.step_im[1..], [0.0; 7]);

@@ -1,6 +1,7 @@
 //! What the player can change, as physical values.
 
-use modes::Rayleigh;
+use super::Losses;
+use modes::{Damping, Rayleigh};
 
 /// Allowed ranges of [`Settings`]; the plug-in's parameters have the same.
 pub mod range {
@@ -20,7 +21,11 @@ pub mod range {
     pub const ALPHA1_S: RangeInclusive<f64> = 0.0..=2e-5;
     /// Mass-proportional damping, in 1/s; O'Brien 2002, Table 1 has 0 to 50.
     pub const ALPHA2_PER_S: RangeInclusive<f64> = 0.0..=100.0;
-    /// Stereo width: 0 is mono, 1 puts the outermost bodies hard left and right.
+    /// Added loss factor; wood has 1e-2.
+    pub const LOSS_FACTOR: RangeInclusive<f64> = 0.0..=0.1;
+    /// Factors on the material's own damping, on radiation and on the supports.
+    pub const CAUSE: RangeInclusive<f64> = 0.0..=10.0;
+    /// Stereo width: 0 is mono, 1 what two ears hear.
     pub const WIDTH: RangeInclusive<f64> = 0.0..=1.0;
     /// Output gain, in dB.
     pub const GAIN_DB: RangeInclusive<f64> = -60.0..=12.0;
@@ -39,8 +44,8 @@ pub struct Settings {
     pub hardness_pa: f64,
     /// Impact speed between the softest and the hardest touch, in dB.
     pub velocity_range_db: f64,
-    /// Material damping of all bodies.
-    pub damping: Rayleigh,
+    /// What takes the bodies' energy.
+    pub losses: Losses,
     /// Whether a released key damps its body.
     pub note_off_damps: bool,
     /// Stereo width, 0…1.
@@ -66,12 +71,9 @@ impl Settings {
         position_scatter: 0.0,
         hardness_pa: 2e9,
         velocity_range_db: 40.0,
-        damping: Rayleigh {
-            alpha1_s: 1e-7,
-            alpha2_per_s: 0.0,
-        },
+        losses: Losses::AS_BUILT,
         note_off_damps: false,
-        width: 0.5,
+        width: 1.0,
         gain_db: 0.0,
     };
 
@@ -79,6 +81,7 @@ impl Settings {
     #[must_use]
     pub fn sane(self) -> Self {
         let normal = Self::DEFAULT;
+        let added = self.losses.added;
         let within = |value: f64, range: std::ops::RangeInclusive<f64>, default: f64| {
             if value.is_nan() {
                 return default;
@@ -107,17 +110,17 @@ impl Settings {
                 range::VELOCITY_RANGE_DB,
                 normal.velocity_range_db,
             ),
-            damping: Rayleigh {
-                alpha1_s: within(
-                    self.damping.alpha1_s,
-                    range::ALPHA1_S,
-                    normal.damping.alpha1_s,
-                ),
-                alpha2_per_s: within(
-                    self.damping.alpha2_per_s,
-                    range::ALPHA2_PER_S,
-                    normal.damping.alpha2_per_s,
-                ),
+            losses: Losses {
+                own: within(self.losses.own, range::CAUSE, 1.0),
+                added: Damping {
+                    rayleigh: Rayleigh {
+                        alpha1_s: within(added.rayleigh.alpha1_s, range::ALPHA1_S, 0.0),
+                        alpha2_per_s: within(added.rayleigh.alpha2_per_s, range::ALPHA2_PER_S, 0.0),
+                    },
+                    loss_factor: within(added.loss_factor, range::LOSS_FACTOR, 0.0),
+                },
+                radiation: within(self.losses.radiation, range::CAUSE, 1.0),
+                supports: within(self.losses.supports, range::CAUSE, 1.0),
             },
             note_off_damps: self.note_off_damps,
             width: within(self.width, range::WIDTH, normal.width),

@@ -1,17 +1,22 @@
 //! The parameters as the host holds them.
 
 use super::spec::{
-    ALPHA1, ALPHA2, MALLET_HARDNESS, NOTE_OFF, OUTPUT_GAIN, POSITION_SCATTER, STRIKE_POSITION,
-    Spec, VELOCITY_RANGE, VELOCITY_TO_POSITION, WIDTH,
+    ALPHA1, ALPHA2, INSTRUMENT, LOSS_FACTOR, MALLET_HARDNESS, NOTE_OFF, OUTPUT_GAIN, OWN_DAMPING,
+    POSITION_SCATTER, RADIATION, STRIKE_POSITION, SUPPORTS, Spec, VELOCITY_RANGE,
+    VELOCITY_TO_POSITION, WIDTH,
 };
-use crate::engine::Settings;
-use modes::Rayleigh;
-use nice_plug::prelude::{BoolParam, FloatParam, FloatRange, Params};
+use crate::engine::{Losses, Settings};
+use crate::factory;
+use modes::{Damping, Rayleigh};
+use nice_plug::prelude::{BoolParam, FloatParam, FloatRange, IntParam, IntRange, Params};
 use std::sync::Arc;
 
 /// One control for each [`Spec`]; the engine smooths what they say.
 #[derive(Params)]
 pub struct Controls {
+    /// See [`INSTRUMENT`].
+    #[id = "instr"]
+    pub instrument: IntParam,
     /// See [`STRIKE_POSITION`].
     #[id = "pos"]
     pub strike_position: FloatParam,
@@ -33,6 +38,18 @@ pub struct Controls {
     /// See [`ALPHA2`].
     #[id = "alpha2"]
     pub alpha2: FloatParam,
+    /// See [`OWN_DAMPING`].
+    #[id = "own"]
+    pub own_damping: FloatParam,
+    /// See [`LOSS_FACTOR`].
+    #[id = "tanphi"]
+    pub loss_factor: FloatParam,
+    /// See [`RADIATION`].
+    #[id = "radia"]
+    pub radiation: FloatParam,
+    /// See [`SUPPORTS`].
+    #[id = "suppt"]
+    pub supports: FloatParam,
     /// See [`NOTE_OFF`].
     #[id = "noff"]
     pub note_off: BoolParam,
@@ -62,7 +79,16 @@ fn float(spec: &'static Spec) -> FloatParam {
 
 impl Default for Controls {
     fn default() -> Self {
+        let range = IntRange::Linear {
+            min: 0,
+            max: factory::BANKS.len() as i32 - 1,
+        };
         Self {
+            instrument: IntParam::new(INSTRUMENT.name, 0, range)
+                .with_value_to_string(Arc::new(|value| INSTRUMENT.format(value as f32)))
+                .with_string_to_value(Arc::new(|text| {
+                    INSTRUMENT.parse(text).map(|value| value as i32)
+                })),
             strike_position: float(&STRIKE_POSITION),
             velocity_to_position: float(&VELOCITY_TO_POSITION),
             position_scatter: float(&POSITION_SCATTER),
@@ -70,6 +96,10 @@ impl Default for Controls {
             velocity_range: float(&VELOCITY_RANGE),
             alpha1: float(&ALPHA1),
             alpha2: float(&ALPHA2),
+            own_damping: float(&OWN_DAMPING),
+            loss_factor: float(&LOSS_FACTOR),
+            radiation: float(&RADIATION),
+            supports: float(&SUPPORTS),
             note_off: BoolParam::new(NOTE_OFF.name, NOTE_OFF.default >= 0.5)
                 .with_value_to_string(Arc::new(|on| NOTE_OFF.format(f32::from(u8::from(on)))))
                 .with_string_to_value(Arc::new(|text| {
@@ -82,6 +112,12 @@ impl Default for Controls {
 }
 
 impl Controls {
+    /// Index of the factory bank that is struck.
+    #[must_use]
+    pub fn instrument(&self) -> usize {
+        usize::try_from(self.instrument.value()).unwrap_or(0)
+    }
+
     /// What the engine is to aim at.
     #[must_use]
     pub fn settings(&self) -> Settings {
@@ -93,9 +129,17 @@ impl Controls {
             position_scatter: fraction(&self.position_scatter),
             hardness_pa: plain(&self.mallet_hardness),
             velocity_range_db: plain(&self.velocity_range),
-            damping: Rayleigh {
-                alpha1_s: plain(&self.alpha1),
-                alpha2_per_s: plain(&self.alpha2),
+            losses: Losses {
+                own: plain(&self.own_damping),
+                added: Damping {
+                    rayleigh: Rayleigh {
+                        alpha1_s: plain(&self.alpha1),
+                        alpha2_per_s: plain(&self.alpha2),
+                    },
+                    loss_factor: plain(&self.loss_factor),
+                },
+                radiation: plain(&self.radiation),
+                supports: plain(&self.supports),
             },
             note_off_damps: self.note_off.value(),
             width: fraction(&self.width),
@@ -129,7 +173,7 @@ mod tests {
         let (ours, engine) = (Controls::default().settings(), Settings::default());
         assert_eq!(ours.sane(), ours);
         assert!((ours.strike_position - engine.strike_position).abs() < 1e-7);
-        assert!((ours.damping.alpha1_s / engine.damping.alpha1_s - 1.0).abs() < 1e-6);
+        assert_eq!(ours.losses, engine.losses);
         assert_eq!(ours.hardness_pa, engine.hardness_pa);
         assert_eq!(ours.note_off_damps, engine.note_off_damps);
         assert_eq!(ours.gain_db, engine.gain_db);

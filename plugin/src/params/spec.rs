@@ -40,7 +40,7 @@ pub const STRIKE_POSITION: Spec = Spec {
     min: percent(*range::STRIKE_POSITION.start()),
     max: percent(*range::STRIKE_POSITION.end()),
     default: percent(NORMAL.strike_position),
-    tooltip: "Where along its length a chime is struck. Near an end all partials sound and the tone \
+    tooltip: "Where along its length a body is struck (a bowl from its rim, 0 %, to the middle of its base). Near an end all partials sound and the tone \
               is bright; in the middle every second one is missing; at 22 % the lowest is silent.",
     skew: 1.0,
     text: Text::Percent,
@@ -108,9 +108,9 @@ pub const ALPHA1: Spec = Spec {
     unit: "s",
     min: *range::ALPHA1_S.start() as f32,
     max: *range::ALPHA1_S.end() as f32,
-    default: NORMAL.damping.alpha1_s as f32,
-    tooltip: "Damping inside the material, which takes high partials first: 1e-7 s rings like metal, \
-              1e-6 s like ceramic, 8e-6 s like wood. Changes what is already ringing.",
+    default: NORMAL.losses.added.rayleigh.alpha1_s as f32,
+    tooltip: "Adds damping to the material's own that takes high partials first: 1e-7 s rings like \
+              metal, 1e-6 s like ceramic, 8e-6 s like wood. Changes what is already ringing.",
     skew: 0.25,
     text: Text::Seconds,
 };
@@ -122,11 +122,80 @@ pub const ALPHA2: Spec = Spec {
     unit: "1/s",
     min: *range::ALPHA2_PER_S.start() as f32,
     max: *range::ALPHA2_PER_S.end() as f32,
-    default: NORMAL.damping.alpha2_per_s as f32,
-    tooltip: "Damping from outside, which shortens all partials alike: 0 rings longest, 50 1/s is a \
+    default: NORMAL.losses.added.rayleigh.alpha2_per_s as f32,
+    tooltip: "Adds damping that shortens all partials alike: 0 leaves them as they are, 50 1/s is a \
               dull knock. Changes what is already ringing.",
     skew: 0.35,
     text: Text::PerSecond,
+};
+
+/// Factor on the material's own damping.
+pub const OWN_DAMPING: Spec = Spec {
+    id: "own",
+    name: "Own damping",
+    unit: "x",
+    min: *range::CAUSE.start() as f32,
+    max: *range::CAUSE.end() as f32,
+    default: NORMAL.losses.own as f32,
+    tooltip: "How much of the material's own damping counts: 1 x is the instrument as built, 0 x a \
+              material that never tires. Changes what is already ringing.",
+    skew: 0.3,
+    text: Text::Factor,
+};
+
+/// Added loss factor.
+pub const LOSS_FACTOR: Spec = Spec {
+    id: "tanphi",
+    name: "Loss factor",
+    unit: "1",
+    min: *range::LOSS_FACTOR.start() as f32,
+    max: *range::LOSS_FACTOR.end() as f32,
+    default: NORMAL.losses.added.loss_factor as f32,
+    tooltip: "Adds internal friction (tan phi) that takes the same share of every swing: 1e-4 is bell \
+              metal, 1e-3 hard plastic, 1e-2 wood. Changes what is already ringing.",
+    skew: 0.25,
+    text: Text::Number,
+};
+
+/// Factor on what radiation takes.
+pub const RADIATION: Spec = Spec {
+    id: "radia",
+    name: "Radiation damping",
+    unit: "x",
+    min: *range::CAUSE.start() as f32,
+    max: *range::CAUSE.end() as f32,
+    default: NORMAL.losses.radiation as f32,
+    tooltip: "How much the air shortens what it carries away: 1 x is real, 0 x lets the high partials \
+              of large bodies ring on as in a vacuum. Changes what is already ringing.",
+    skew: 0.3,
+    text: Text::Factor,
+};
+
+/// Factor on what the supports take.
+pub const SUPPORTS: Spec = Spec {
+    id: "suppt",
+    name: "Supports",
+    unit: "x",
+    min: *range::CAUSE.start() as f32,
+    max: *range::CAUSE.end() as f32,
+    default: NORMAL.losses.supports as f32,
+    tooltip: "How firmly cords and cushions hold: more shortens the partials that move where the body \
+              is held. Changes what is already ringing.",
+    skew: 0.3,
+    text: Text::Factor,
+};
+
+/// Which bodies are struck.
+pub const INSTRUMENT: Spec = Spec {
+    id: "instr",
+    name: "Instrument",
+    unit: "",
+    min: 0.0,
+    max: (crate::factory::BANKS.len() - 1) as f32,
+    default: 0.0,
+    tooltip: "Which bodies are struck. The next notes strike the new ones; what rings, rings out.",
+    skew: 1.0,
+    text: Text::Instrument,
 };
 
 /// What a released key does.
@@ -137,7 +206,7 @@ pub const NOTE_OFF: Spec = Spec {
     min: 0.0,
     max: 1.0,
     default: NORMAL.note_off_damps as u8 as f32,
-    tooltip: "Whether a released key leaves its chime ringing or lays a felt damper on it; the sustain \
+    tooltip: "Whether a released key leaves its body ringing or lays a felt damper on it; the sustain \
               pedal keeps the dampers off.",
     skew: 1.0,
     text: Text::Switch {
@@ -154,7 +223,8 @@ pub const WIDTH: Spec = Spec {
     min: percent(*range::WIDTH.start()),
     max: percent(*range::WIDTH.end()),
     default: percent(NORMAL.width),
-    tooltip: "How far the row of chimes spreads from left (low) to right (high); 0 % is mono.",
+    tooltip: "How far apart the two ears hear: 100 % as a listener before the instrument does, with \
+              the low bodies on the left; 0 % is mono.",
     skew: 1.0,
     text: Text::Percent,
 };
@@ -167,13 +237,14 @@ pub const OUTPUT_GAIN: Spec = Spec {
     min: *range::GAIN_DB.start() as f32,
     max: *range::GAIN_DB.end() as f32,
     default: NORMAL.gain_db as f32,
-    tooltip: "Level of the whole. At 0 dB the hardest single strike peaks near -12 dB full scale.",
+    tooltip: "Level of the whole. At 0 dB no single strike peaks above -18 dB full scale, so that chords fit.",
     skew: 1.0,
     text: Text::Decibels,
 };
 
 /// Every parameter, in the host's order.
-pub const SPECS: [Spec; 10] = [
+pub const SPECS: [Spec; 15] = [
+    INSTRUMENT,
     STRIKE_POSITION,
     VELOCITY_TO_POSITION,
     POSITION_SCATTER,
@@ -181,6 +252,10 @@ pub const SPECS: [Spec; 10] = [
     VELOCITY_RANGE,
     ALPHA1,
     ALPHA2,
+    OWN_DAMPING,
+    LOSS_FACTOR,
+    RADIATION,
+    SUPPORTS,
     NOTE_OFF,
     WIDTH,
     OUTPUT_GAIN,
@@ -212,8 +287,10 @@ impl Spec {
     /// The range in words, for messages: `0.00 % to 100.00 %`.
     #[must_use]
     pub fn allowed(&self) -> String {
-        if let Text::Switch { off, on } = self.text {
-            return format!("\"{off}\" or \"{on}\"");
+        match self.text {
+            Text::Switch { off, on } => return format!("\"{off}\" or \"{on}\""),
+            Text::Instrument => return crate::factory::titles().collect::<Vec<_>>().join(", "),
+            _ => {}
         }
         format!("{} to {}", self.format(self.min), self.format(self.max))
     }

@@ -21,6 +21,10 @@ fn healed(spec: &Spec, saved: Option<&ParamValue>) -> ParamValue {
     match (spec.text, saved) {
         (Text::Switch { .. }, Some(ParamValue::Bool(on))) => ParamValue::Bool(*on),
         (Text::Switch { .. }, _) => ParamValue::Bool(spec.default >= 0.5),
+        (Text::Instrument, Some(ParamValue::I32(index))) => {
+            ParamValue::I32(spec.sane(*index as f32) as i32)
+        }
+        (Text::Instrument, _) => ParamValue::I32(spec.default as i32),
         (_, Some(ParamValue::F32(value))) if value.is_finite() => {
             ParamValue::F32(spec.sane(*value))
         }
@@ -63,11 +67,14 @@ mod tests {
             ("noff", ParamValue::F32(1.0)),
             ("pos", ParamValue::F32(40.0)),
             ("later", ParamValue::I32(3)),
+            ("instr", ParamValue::I32(99)),
         ]);
+        let last = SPECS[0].max as i32;
+        assert!(matches!(params.get("instr"), Some(ParamValue::I32(index)) if *index == last));
         assert_eq!(number(&params, "gain"), 0.0);
         assert_eq!(number(&params, "alpha1"), 0.0);
         assert_eq!(number(&params, "alpha2"), 100.0);
-        assert_eq!(number(&params, "width"), 50.0);
+        assert_eq!(number(&params, "width"), 100.0);
         assert_eq!(number(&params, "pos"), 40.0);
         assert_eq!(
             number(&params, "hard"),

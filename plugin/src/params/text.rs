@@ -13,6 +13,12 @@ pub(crate) enum Text {
     Seconds,
     /// `0.500 1/s`
     PerSecond,
+    /// `1.00 x`
+    Factor,
+    /// `2.00e-4`
+    Number,
+    /// The title of a factory instrument.
+    Instrument,
     /// One of two words.
     Switch {
         /// For 0.
@@ -47,6 +53,10 @@ impl Text {
             Self::Seconds => format!("{value:.2e} s"),
             Self::PerSecond if value < 0.9995 => format!("{value:.3} 1/s"),
             Self::PerSecond => format!("{} 1/s", three_digits(value)),
+            Self::Factor => format!("{rounded:.2} x"),
+            Self::Number if value == 0.0 => "0".into(),
+            Self::Number => format!("{value:.2e}"),
+            Self::Instrument => crate::factory::title(value).into(),
             Self::Switch { off, on } => if value < 0.5 { off } else { on }.into(),
         }
     }
@@ -66,12 +76,22 @@ impl Text {
                 ("s", 1.0),
             ],
             Self::PerSecond => &[("/s", 1.0), ("1/s", 1.0)],
-            Self::Switch { .. } => &[],
+            Self::Factor => &[("x", 1.0)],
+            Self::Number | Self::Instrument | Self::Switch { .. } => &[],
         }
     }
 
     pub(crate) fn parse(self, text: &str) -> Option<f64> {
         let text = text.trim().to_lowercase();
+        if matches!(self, Self::Instrument) {
+            let found = crate::factory::titles().position(|title| title.to_lowercase() == text);
+            let number = || {
+                text.parse()
+                    .ok()
+                    .filter(|number: &f64| number.fract() == 0.0)
+            };
+            return found.map(|index| index as f64).or_else(number);
+        }
         if let Self::Switch { off, on } = self {
             return match text.as_str() {
                 word if word == off => Some(0.0),

@@ -1,0 +1,270 @@
+//! The instrument that is struck, and those before it that still ring.
+
+use crate::engine::{Engine, GRID, Settings};
+use crate::factory;
+use crossbeam_queue::ArrayQueue;
+use std::sync::Arc;
+
+/// Instruments before the present one that may ring at the same time.
+const RINGING: usize = 4;
+
+/// Work that does not belong in the audio thread.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Task {
+    /// Make the instrument of that index ready for a sample rate in Hz.
+    Prepare(usize, f64),
+    /// Give back the memory of instruments that have rung out.
+    Tidy,
+}
+
+/// An engine and the index of its bank.
+type Ready = (usize, Box<Engine>);
+
+/// What the audio thread and the one that works for it hand each other.
+#[derive(Clone)]
+pub(crate) struct Wings {
+    ready: Arc<ArrayQueue<Ready>>,
+    spent: Arc<ArrayQueue<Box<Engine>>>,
+}
+
+impl Default for Wings {
+    fn default() -> Self {
+        Self {
+            ready: Arc::new(ArrayQueue::new(1)),
+            spent: Arc::new(ArrayQueue::new(2 * RINGING)),
+        }
+    }
+}
+
+impl Wings {
+    /// Does the work, on a thread that may take its time.
+    pub(crate) fn work(&self, task: Task) {
+        while self.spent.pop().is_some() {}
+        if let Task::Prepare(index, rate_hz) = task {
+            let engine = Box::new(Engine::new(factory::bank(index), rate_hz));
+            // One that was not fetched is no longer wanted.
+            self.ready.force_push((index, engine));
+        }
+    }
+}
+
+/// The instruments that sound.
+///
+/// Only [`Stage::new`] allocates.
+pub(crate) struct Stage {
+    engine: Box<Engine>,
+    index: usize,
+    /// The last index asked for.
+    wanted: usize,
+    ringing: [Option<Box<Engine>>; RINGING],
+    settings: Settings,
+    pedal: bool,
+    rate_hz: f64,
+}
+
+impl Stage {
+    /// The instrument of that index, at rest.
+    pub(crate) fn new(index: usize, rate_hz: f64) -> Self {
+        Self {
+            engine: Box::new(Engine::new(factory::bank(index), rate_hz)),
+            index,
+            wanted: index,
+            ringing: [const { None }; RINGING],
+            settings: Settings::default(),
+            pedal: false,
+            rate_hz,
+        }
+    }
+
+    /// Brings the wanted instrument on if it is ready, and tells what is to be done elsewhere.
+    ///
+    /// What rang goes on ringing. If too much does, the instrument that has rung longest is silenced
+    /// by hand, and the new one comes when it is still.
+    pub(crate) fn turn(&mut self, wanted: usize, wings: &Wings) -> Option<Task> {
+        let tidy = self.clear(wings);
+        if wanted != self.wanted {
+            self.wanted = wanted;
+            if wanted != self.index {
+                return Some(Task::Prepare(wanted, self.rate_hz));
+            }
+        }
+        if self.wanted != self.index {
+            let Some(slot) = self.ringing.iter().position(Option::is_none) else {
+                if let Some(oldest) = &mut self.ringing[0] {
+                    oldest.choke_all();
+                }
+                return tidy;
+            };
+            if let Some((index, engine)) = wings.ready.pop() {
+                if index == self.wanted {
+                    self.enter(slot, index, engine);
+                } else {
+                    // Asked for before the last change of mind.
+                    let _ = wings.spent.push(engine);
+                    return Some(Task::Prepare(self.wanted, self.rate_hz));
+                }
+            }
+        }
+        tidy
+    }
+
+    fn enter(&mut self, slot: usize, index: usize, mut engine: Box<Engine>) {
+        engine.set(&self.settings);
+        engine.pedal(self.pedal);
+        self.ringing[slot] = Some(std::mem::replace(&mut self.engine, engine));
+        self.index = index;
+    }
+
+    /// Hands over what has rung out; the others move up, the oldest first.
+    fn clear(&mut self, wings: &Wings) -> Option<Task> {
+        let mut task = None;
+        for slot in &mut self.ringing {
+            if slot.as_ref().is_some_and(|engine| engine.awake() == 0)
+                && let Some(engine) = slot.take()
+            {
+                match wings.spent.push(engine) {
+                    Ok(()) => task = Some(Task::Tidy),
+                    Err(engine) => *slot = Some(engine),
+                }
+            }
+        }
+        for slot in 1..RINGING {
+            if self.ringing[slot - 1].is_none() {
+                self.ringing.swap(slot - 1, slot);
+            }
+        }
+        task
+    }
+
+    /// Calls `act` for every instrument that sounds.
+    pub(crate) fn each(&mut self, mut act: impl FnMut(&mut Engine)) {
+        act(&mut self.engine);
+        for engine in self.ringing.iter_mut().flatten() {
+            act(engine);
+        }
+    }
+
+    /// New targets for all.
+    pub(crate) fn set(&mut self, settings: &Settings) {
+        self.settings = *settings;
+        self.each(|engine| engine.set(settings));
+    }
+
+    /// Strikes the present instrument.
+    pub(crate) fn strike(&mut self, key: u8, velocity: f32) {
+        self.engine.strike(key, velocity);
+    }
+
+    /// The sustain pedal moves.
+    pub(crate) fn pedal(&mut self, down: bool) {
+        self.pedal = down;
+        self.each(|engine| engine.pedal(down));
+    }
+
+    /// Silence, at once.
+    pub(crate) fn reset(&mut self) {
+        self.pedal = false;
+        self.each(Engine::reset);
+    }
+
+    /// The keys whose bodies sound, bit 0 for key 0.
+    pub(crate) fn awake(&self) -> u128 {
+        let rest = self.ringing.iter().flatten();
+        rest.fold(self.engine.awake(), |keys, engine| keys | engine.awake())
+    }
+
+    /// Renders as many samples as the shorter of the two slices holds.
+    pub(crate) fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
+        self.engine.process(left, right);
+        let mut more = [[0.0; GRID]; 2];
+        for engine in self.ringing.iter_mut().flatten() {
+            for (left, right) in left.chunks_mut(GRID).zip(right.chunks_mut(GRID)) {
+                let [a, b] = &mut more;
+                engine.process(&mut a[..left.len()], &mut b[..right.len()]);
+                add(left, a);
+                add(right, b);
+            }
+        }
+    }
+}
+
+fn add(sum: &mut [f32], more: &[f32]) {
+    for (sum, more) in sum.iter_mut().zip(more) {
+        *sum += more;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn render(stage: &mut Stage, frames: usize) -> Vec<f32> {
+        let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
+        stage.process(&mut left, &mut right);
+        left
+    }
+
+    /// Greatest step from sample to sample.
+    fn step(signal: &[f32]) -> f32 {
+        signal
+            .windows(2)
+            .fold(0.0, |most, pair| most.max((pair[1] - pair[0]).abs()))
+    }
+
+    #[test]
+    fn what_rings_rings_out_when_the_instrument_changes() {
+        let wings = Wings::default();
+        let (mut stage, mut twin) = (Stage::new(0, 48_000.0), Stage::new(0, 48_000.0));
+        for stage in [&mut stage, &mut twin] {
+            stage.strike(60, 0.8);
+            render(stage, 1000);
+        }
+        let task = stage.turn(1, &wings).unwrap();
+        assert_eq!(task, Task::Prepare(1, 48_000.0));
+        assert_eq!(stage.turn(1, &wings), None, "asked for once");
+        wings.work(task);
+        nice_assert_no_alloc::assert_no_alloc(|| {
+            assert_eq!(stage.turn(1, &wings), None);
+        });
+        assert_eq!(stage.index, 1);
+        assert_eq!(render(&mut stage, 1000), render(&mut twin, 1000));
+        stage.strike(60, 0.5);
+        let both = render(&mut stage, 4800);
+        assert!(step(&both) < 0.05, "{}", step(&both));
+        stage.each(Engine::choke_all);
+        render(&mut stage, 48_000);
+        assert_eq!(stage.awake(), 0);
+        assert_eq!(stage.turn(1, &wings), Some(Task::Tidy));
+        wings.work(Task::Tidy);
+        assert!(wings.spent.is_empty());
+    }
+
+    #[test]
+    fn a_change_of_mind_gets_the_last_wish_and_many_changes_wait_for_silence() {
+        let wings = Wings::default();
+        let mut stage = Stage::new(0, 48_000.0);
+        let first = stage.turn(1, &wings).unwrap();
+        let second = stage.turn(2, &wings).unwrap();
+        wings.work(first);
+        assert_eq!(
+            stage.turn(2, &wings),
+            Some(second),
+            "the first is no longer wanted"
+        );
+        wings.work(second);
+        stage.turn(2, &wings);
+        assert_eq!(stage.index, 2);
+        for turn in 0..10 {
+            let wanted = if turn % 2 == 0 { 3 } else { 4 };
+            stage.strike(60, 1.0);
+            render(&mut stage, 64);
+            while stage.index != wanted {
+                if let Some(task) = stage.turn(wanted, &wings) {
+                    wings.work(task);
+                }
+                render(&mut stage, 4800);
+            }
+        }
+        assert_eq!(stage.index, 4);
+    }
+}
