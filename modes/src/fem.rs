@@ -3,15 +3,19 @@
 mod assembly;
 mod constrained;
 mod cyclic;
+mod fourier;
 mod hex20;
 mod isotropic;
+mod meridian;
 mod pencil;
 mod tet4;
 
 pub use assembly::assemble;
 pub use constrained::Constrained;
 pub use cyclic::CyclicTube;
+pub use fourier::Harmonic;
 pub use hex20::HEX20_NODES;
 pub(crate) use hex20::hex20_weights;
+pub use meridian::Meridian;
 pub use pencil::{Pattern, Pencil};
 pub use tet4::TetMass;

@@ -29,6 +29,8 @@ mod obrien_2002;
 pub mod radiation;
 #[cfg(feature = "recipe")]
 mod recipe;
+#[cfg(feature = "solve")]
+pub mod revolution;
 pub mod shape;
 #[cfg(feature = "solve")]
 pub mod solve;

@@ -1,8 +1,18 @@
 //! How strongly a mode's motion drives the air.
 
+mod cylinder;
+mod huygens;
 mod surface;
 
+pub use cylinder::cylinder_decay_per_s;
+pub use huygens::{Listener, Transfers};
 pub use surface::Surface;
+
+/// Density of air at 20 °C in kg/m³ (O'Brien, Cook & Essl 2001, §3.2).
+pub const AIR_KG_M3: f64 = 1.21;
+
+/// Speed of sound in air at 20 °C in m/s (the same).
+pub const SOUND_M_S: f64 = 343.0;
 
 use std::f64::consts::TAU;
 

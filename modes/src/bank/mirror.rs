@@ -14,7 +14,9 @@ pub(super) struct Stored {
 }
 
 impl Stored {
-    pub(super) fn of(mode: &Mode) -> Self {
+    /// A shape that has not one value for each of the line's `points` is stored as it is, for the
+    /// reader to refuse.
+    pub(super) fn of(mode: &Mode, points: usize) -> Self {
         let shape = &mode.shape;
         let whole = shape.len();
         let moves = |c: usize| shape.iter().any(|phi| phi[c] != 0.0);
@@ -24,7 +26,7 @@ impl Stored {
         let mirrors =
             |c: usize, sign: f32| (0..whole).all(|i| shape[i][c] == sign * shape[whole - 1 - i][c]);
         let even: Vec<bool> = (0..3).map(|c| mirrors(c, 1.0)).collect();
-        if (0..3).all(|c| even[c] || mirrors(c, -1.0)) {
+        if whole == points && (0..3).all(|c| even[c] || mirrors(c, -1.0)) {
             bits |= HALF;
             for (c, even) in even.iter().enumerate() {
                 bits |= u8::from(!even) << (4 + c);

@@ -74,14 +74,25 @@ fn equal_banks_give_equal_bytes() {
 #[test]
 fn vanishing_components_take_no_room() {
     let mut full = bank();
-    for phi in &mut full.bodies[1].modes[1].shape {
-        *phi = [1.0, 2.0, 3.0];
+    for (i, phi) in full.bodies[1].modes[1].shape.iter_mut().enumerate() {
+        *phi = [1.0, 2.0, 3.0].map(|x| x * i as f32);
     }
     let two_components_of_six_points = 2 * 6 * 4;
     assert_eq!(
         full.write().len() - bank().write().len(),
         two_components_of_six_points
     );
+}
+
+#[test]
+fn mirrored_shapes_are_stored_by_half() {
+    let mut mirrored = bank();
+    for (i, phi) in mirrored.bodies[1].modes[1].shape.iter_mut().enumerate() {
+        *phi = [i as f32 - 2.5, 0.0, 0.0];
+    }
+    let three_points = 3 * 4;
+    assert_eq!(bank().write().len() - mirrored.write().len(), three_points);
+    assert_eq!(Bank::read(&mirrored.write()), Ok(mirrored));
 }
 
 #[test]
@@ -169,14 +180,19 @@ fn changed_bytes_under_a_good_checksum_do_not_panic() {
 #[test]
 fn versions_to_come_are_told_from_damage() {
     let mut file = bank().write();
-    file[8] = 2;
-    assert_eq!(Bank::read(&file), Err(BankError::Corrupted));
+    file[8] = 3;
+    assert_eq!(Bank::read(&file).err(), Some(BankError::Corrupted));
     assert_eq!(
-        Bank::read(&seal(file.clone())),
-        Err(BankError::FutureVersion {
-            found: 2,
-            newest: 1
+        Bank::read(&seal(file.clone())).err(),
+        Some(BankError::FutureVersion {
+            found: 3,
+            newest: 2
         })
+    );
+    file[8] = 1;
+    assert_eq!(
+        Bank::read(&seal(file.clone())).err(),
+        Some(BankError::PastVersion { found: 1 })
     );
     file[8] = 0;
     assert_eq!(
@@ -236,11 +252,12 @@ fn memory_is_bounded_by_the_bytes() {
 #[test]
 fn a_mode_without_components_is_refused() {
     let mut file = bank().write();
-    let shapes = 4 * 6 * 4;
+    // Three components in full, then the first half of one that does not move.
+    let shapes = 3 * 6 * 4 + 3 * 4;
     let last_components = file.len() - shapes - 1;
-    assert_eq!(file[last_components - 2..=last_components], [6, 1, 1]);
+    assert_eq!(file[last_components - 2..=last_components], [6, 1, 9]);
     file[last_components] = 0;
-    file.truncate(file.len() - 6 * 4);
+    file.truncate(file.len() - 3 * 4);
     let field = inconsistent_field(Bank::read(&seal(file)));
     assert_eq!(field, "key 74: mode 3: components");
 }

@@ -86,7 +86,11 @@ fn plain(x: f64) -> f64 {
 
 fn section_len(body: &Body) -> u64 {
     let points = body.line.len() as u64;
-    let shapes: u64 = body.modes.iter().map(|mode| Stored::of(mode).len()).sum();
+    let shapes: u64 = body
+        .modes
+        .iter()
+        .map(|mode| Stored::of(mode, body.line.len()).len())
+        .sum();
     POINT_LEN * points + MODE_LEN * body.modes.len() as u64 + shapes
 }
 
@@ -104,7 +108,11 @@ fn write_body(body: &Body, file: &mut Vec<u8>) {
         file.extend(label.order.to_le_bytes());
         file.extend(label.index.to_le_bytes());
     }
-    let stored: Vec<Stored> = body.modes.iter().map(Stored::of).collect();
+    let stored: Vec<Stored> = body
+        .modes
+        .iter()
+        .map(|mode| Stored::of(mode, body.line.len()))
+        .collect();
     file.extend(stored.iter().map(Stored::bits));
     for (mode, stored) in body.modes.iter().zip(&stored) {
         for c in stored.components() {

@@ -1,6 +1,7 @@
 //! Every audible mode of a bar, as a body that can be struck.
 
 use super::BarFineness;
+use super::air::{radiation_per_s, rise_across};
 use super::quarter::{Class, Face, Quarter};
 use crate::radiation::Surface;
 use crate::shape::Bar;
@@ -92,8 +93,7 @@ struct Found {
 
 /// Solves `bar` for every mode of `band`: four quarter models, one for each symmetry.
 ///
-/// The strike line runs over the top from end to end, a tenth of the width beside the middle. The
-/// air is not looked at: `radiation_per_s` is 0.
+/// The strike line runs over the top from end to end, a tenth of the width beside the middle.
 ///
 /// # Errors
 ///
@@ -157,7 +157,13 @@ pub fn bar_modes(
             motion: motion(&quarter, &faces, *class, &mode.vector),
             held: 4.0 * energy_at(cord_m, CORD_ASIDE * bar.width_m, 0.5),
             felt: 2.0 * energy_at(FELT[0] * bar.length_m, FELT[1] * bar.width_m, 0.0),
-            radiation_per_s: 0.0,
+            radiation_per_s: radiation_per_s(
+                &quarter,
+                bar,
+                (*class, *family),
+                mode.hz,
+                &mode.vector,
+            ),
         }
     });
     Ok(SolvedBody {
@@ -184,17 +190,12 @@ fn family(quarter: &Quarter, bar: &Bar, class: Class, vector: &[f64], along: usi
         return Family::Longitudinal;
     }
     // A beam's sections move as one; those of a plate bend across.
-    const ACROSS: usize = 8;
     let (mut together, mut all) = (0.0, 0.0);
     for i in 0..=2 * along {
         let x_m = 0.5 * bar.length_m * i as f64 / (2 * along) as f64;
-        let heights = (0..ACROSS).map(|j| {
-            let y_m = 0.5 * bar.width_m * (j as f64 + 0.5) / ACROSS as f64;
-            quarter.at(vector, x_m, y_m, 0.5)[2]
-        });
-        let (sum, squares) = heights.fold((0.0, 0.0), |(s, q), u| (s + u, q + u * u));
-        together += sum * sum / ACROSS as f64;
-        all += squares;
+        let rises = rise_across(quarter, bar, vector, x_m);
+        together += rises.iter().sum::<f64>().powi(2) / rises.len() as f64;
+        all += rises.iter().map(|u| u * u).sum::<f64>();
     }
     if z > y && together > 0.5 * all {
         Family::Bending
