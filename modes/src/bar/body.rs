@@ -7,6 +7,7 @@ use crate::radiation::Surface;
 use crate::shape::Bar;
 use crate::solve::{Band, Eigenmode, lowest_of, modes_in_band};
 use crate::{Family, Material, Member, ModeLabel, SolveError, SolvedBody, SolvedMode, StrikeLine};
+use rayon::prelude::*;
 
 /// Samples of the strike line to each half-wave of the mode that has most of them.
 const SAMPLES_TO_HALF_WAVE: usize = 5;
@@ -79,8 +80,11 @@ pub fn bar_partials(
 
 /// The first three bending modes, in Hz: even, odd, even about the middle.
 pub(super) fn bending_hz(quarter: &Quarter) -> Result<[f64; 3], SolveError> {
-    let even = lowest_of(&quarter.pencil(Class::EVEN).pencil, 2)?;
-    let odd = lowest_of(&quarter.pencil(Class::X_ODD).pencil, 1)?;
+    let (even, odd) = rayon::join(
+        || lowest_of(&quarter.pencil(Class::EVEN).pencil, 2),
+        || lowest_of(&quarter.pencil(Class::X_ODD).pencil, 1),
+    );
+    let (even, odd) = (even?, odd?);
     Ok([even[0], odd[0], even[1]])
 }
 
@@ -107,9 +111,14 @@ pub fn bar_modes(
     let grid = fineness.grid(bar);
     let quarter = Quarter::new(bar, grid, material)?;
     let (mut found, mut orthonormality) = (Vec::new(), 0.0f64);
-    for class in Class::ALL {
+    let solve = |class| {
         let constrained = quarter.pencil(class);
-        let solution = modes_in_band(&constrained.pencil, band)?;
+        let solution = modes_in_band(&constrained.pencil, band);
+        (class, constrained, solution)
+    };
+    let solutions: Vec<_> = Class::ALL.into_par_iter().map(solve).collect();
+    for (class, constrained, solution) in solutions {
+        let solution = solution?;
         orthonormality = orthonormality.max(solution.orthonormality);
         for mut mode in solution.modes {
             mode.vector = constrained.expand(&mode.vector);
