@@ -20,8 +20,10 @@ use serde::{Deserialize, Serialize};
 /// One instrument: a body for each key, all of one material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bank {
-    /// Name of the instrument.
+    /// Name of the instrument, fit for a file.
     pub name: String,
+    /// Name of the instrument for people.
+    pub title: String,
     /// What the bodies are made of.
     pub material: Material,
     /// Inner damping of the material; what the air, the supports and the felt take is said mode by

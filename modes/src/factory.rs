@@ -1,8 +1,10 @@
 //! From a recipe to a bank, all keys at once, and the folder where built banks are kept.
 
+mod body;
 mod build;
 mod cache;
 mod progress;
+mod sound;
 
 pub use build::{BuildError, build};
 pub use cache::{Built, CacheError, cached};

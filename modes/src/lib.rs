@@ -50,7 +50,8 @@ pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
-    KeyRange, MeshRecipe, Recipe, RecipeError, RecipeFileError, ShapeRecipe, TuningRecipe,
+    ImperfectionRecipe, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe, RecipeError,
+    RecipeFileError, ShapeRecipe, TuningRecipe,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;

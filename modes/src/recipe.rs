@@ -6,6 +6,7 @@ mod raw;
 
 pub use error::{RecipeError, RecipeFileError};
 
+use crate::shape::Bowl;
 use crate::{Damping, Material};
 use std::fs::File;
 use std::io::{self, Read};
@@ -16,6 +17,8 @@ use std::path::Path;
 pub struct Recipe {
     /// Name of the instrument, fit for a file.
     pub name: String,
+    /// Name of the instrument for people.
+    pub title: String,
     /// The keys to build a body for.
     pub keys: KeyRange,
     /// How each body gets its pitch.
@@ -26,6 +29,12 @@ pub struct Recipe {
     pub material: Material,
     /// Inner damping of the material.
     pub damping: Damping,
+    /// What supports and felt take.
+    pub losses: LossRecipe,
+    /// What splits the pairs of modes of a body of revolution.
+    pub imperfection: Option<ImperfectionRecipe>,
+    /// Where the listener is.
+    pub listener: ListenerRecipe,
     /// How finely the bodies are divided.
     pub mesh: MeshRecipe,
     /// The recipe word for word.
@@ -48,6 +57,8 @@ pub struct TuningRecipe {
     pub a4_hz: f64,
     /// The bending mode that carries the pitch, counted from 1.
     pub partial: u16,
+    /// Octaves by which the note that is heard lies below that mode.
+    pub octaves_below: u8,
     /// How far a body may be off its key, in cents.
     pub tolerance_cents: f64,
 }
@@ -55,22 +66,61 @@ pub struct TuningRecipe {
 /// A shape but for its length, which the pitch decides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShapeRecipe {
-    /// A tube, free at both ends.
+    /// A tube, hung from a cord.
     Tube {
         /// Half the outer diameter, in m.
         outer_radius_m: f64,
         /// Thickness of the wall, in m, less than the radius.
         wall_m: f64,
+        /// Length of the plug in its upper end, in m; 0 for none.
+        plug_m: f64,
+        /// Where it hangs, as a share of the length from the top.
+        hung_at: f64,
+        /// Where the felt touches, as a share of the length from the top.
+        felt_at: f64,
     },
+    /// A bowl: its proportions, scaled to each pitch.
+    Bowl(Bowl),
+}
+
+/// What takes energy out of the bodies where they are touched.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LossRecipe {
+    /// Resistance of the supports to motion, in kg/s.
+    pub support_kg_s: f64,
+    /// Resistance of the damper's felt to motion, in kg/s.
+    pub felt_kg_s: f64,
+}
+
+/// A small mass on the rim (or the top end).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ImperfectionRecipe {
+    /// Its share of the body's mass.
+    pub mass_share: f64,
+    /// Its angle from the strike line, in degrees.
+    pub angle_deg: f64,
+}
+
+/// Where the listener's head is, ears 20 cm apart, before the middle of the row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ListenerRecipe {
+    /// Distance of the head from the row, in m.
+    pub distance_m: f64,
+    /// Height of the head above the bodies' middle, in m.
+    pub above_m: f64,
+    /// Width of the row from the lowest key's body to the highest's, in m.
+    pub row_m: f64,
 }
 
 /// How finely bodies are divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshRecipe {
-    /// Elements around the axis, an even number.
+    /// Elements around the axis of the whole mesh, an even number.
     pub around: u16,
     /// Longest element along the axis, in m.
     pub max_element_m: f64,
+    /// Highest frequency of the modes, in Hz.
+    pub highest_hz: f64,
 }
 
 impl KeyRange {
@@ -83,7 +133,26 @@ impl KeyRange {
 
 impl Recipe {
     /// The recipes that come with the crate: name and text.
-    pub const FACTORY: [(&str, &str); 1] = [("chimes", include_str!("../../recipes/chimes.toml"))];
+    pub const FACTORY: [(&str, &str); 6] = [
+        ("chimes", include_str!("../../recipes/chimes.toml")),
+        (
+            "tubular-bells",
+            include_str!("../../recipes/tubular-bells.toml"),
+        ),
+        (
+            "singing-bowls",
+            include_str!("../../recipes/singing-bowls.toml"),
+        ),
+        (
+            "crystal-bowls",
+            include_str!("../../recipes/crystal-bowls.toml"),
+        ),
+        (
+            "metal-bowls",
+            include_str!("../../recipes/metal-bowls.toml"),
+        ),
+        ("oak-bowls", include_str!("../../recipes/oak-bowls.toml")),
+    ];
 
     /// The recipe that `text` gives. `file_name` is what errors call it.
     ///

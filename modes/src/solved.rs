@@ -40,3 +40,46 @@ pub struct SolvedMode {
     /// Amplitude decay rate that the body's own radiation causes, in 1/s.
     pub radiation_per_s: f64,
 }
+
+impl SolvedBody {
+    /// The same body with all lengths times `factor`: ω → ω/γ, φ → γ^(−3/2) φ, and d/ω of radiation
+    /// as it is, because the waves in air shrink alike. Modes above `highest_hz` are left out.
+    #[must_use]
+    pub fn scaled(&self, factor: f64, highest_hz: f64) -> Self {
+        let shape = factor.powf(-1.5);
+        let narrow = |x: &f32| (shape * f64::from(*x)) as f32;
+        Self {
+            length_m: factor * self.length_m,
+            mass_kg: factor.powi(3) * self.mass_kg,
+            line: StrikeLine {
+                points_m: self
+                    .line
+                    .points_m
+                    .iter()
+                    .map(|p| p.map(|x| factor * x))
+                    .collect(),
+                normals: self.line.normals.clone(),
+            },
+            surface: self.surface.scaled(factor),
+            modes: self
+                .modes
+                .iter()
+                .filter(|mode| mode.hz / factor <= highest_hz)
+                .map(|mode| SolvedMode {
+                    hz: mode.hz / factor,
+                    shape: mode
+                        .shape
+                        .iter()
+                        .map(|u| [0, 1, 2].map(|a| narrow(&u[a])))
+                        .collect(),
+                    motion: mode.motion.iter().map(narrow).collect(),
+                    held: shape * shape * mode.held,
+                    felt: shape * shape * mode.felt,
+                    radiation_per_s: mode.radiation_per_s / factor,
+                    ..*mode
+                })
+                .collect(),
+            orthonormality: self.orthonormality,
+        }
+    }
+}

@@ -33,6 +33,7 @@ pub(super) const MAX_LEN: u64 = 1 << 30;
 pub(super) struct Header {
     pub(super) format: String,
     pub(super) name: String,
+    pub(super) title: String,
     pub(super) material: Material,
     pub(super) damping: Damping,
     pub(super) ears_m: [[f64; 3]; 2],

@@ -58,6 +58,7 @@ impl Bank {
         }
         let bank = Self {
             name: header.name,
+            title: header.title,
             material: header.material,
             damping: header.damping,
             ears_m: header.ears_m,

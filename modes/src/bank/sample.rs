@@ -7,6 +7,7 @@ use crate::{Damping, Family, Material, Member, ModeLabel, Rayleigh, StrikeLine};
 pub(super) fn bank() -> Bank {
     Bank {
         name: "two tubes \u{1f514} \"quoted\"".to_owned(),
+        title: "Two tubes".to_owned(),
         material: Material {
             lambda_pa: 4.98e10,
             mu_pa: 2.57e10,

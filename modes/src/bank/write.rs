@@ -54,6 +54,7 @@ impl Bank {
         Header {
             format: FORMAT.to_owned(),
             name: self.name.clone(),
+            title: self.title.clone(),
             material: Material {
                 lambda_pa: plain(self.material.lambda_pa),
                 mu_pa: plain(self.material.mu_pa),

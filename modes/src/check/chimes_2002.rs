@@ -3,6 +3,7 @@
 use super::{CHIME, CheckError, Row, SHIPPED, aluminium};
 use crate::TABLE_2;
 use crate::fem::CyclicTube;
+use crate::revolution::Bell;
 use crate::shape::Tube;
 use crate::solve::lowest;
 use crate::tube::{Fineness, TubeTuning, tune_tube};
@@ -37,7 +38,13 @@ pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
             partial: 1,
             tolerance_cents: 0.01,
         };
-        let tube = tune_tube(&CHIME, &aluminium(), SHIPPED, &tuning)?;
+        let tube = tune_tube(
+            &Bell::open(CHIME),
+            &aluminium(),
+            SHIPPED.max_element_m,
+            &tuning,
+        )?
+        .tube;
         rows.push(Row::relative(
             format!("chime {}, length for {} Hz", chime.note, chime.adjusted_hz),
             (chime.adjusted_length_m, tube.length_m, "m"),

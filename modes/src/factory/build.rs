@@ -1,10 +1,10 @@
 //! Every key of a recipe, tuned and solved.
 
 use super::Progress;
-use crate::shape::Tube;
-use crate::solve::Band;
-use crate::tube::{Fineness, TubeTuning, TuneError, predicted_length_m, tube_modes, tune_tube};
-use crate::{Bank, Body, CODE, Provenance, Recipe, ShapeRecipe, SolveError, equal_temperament_hz};
+use super::body::Maker;
+use super::sound::{ears_m, sounding};
+use crate::tube::TuneError;
+use crate::{Bank, Body, CODE, Provenance, Recipe, SolveError};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -56,24 +56,22 @@ struct Finished {
 /// off.
 pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildError> {
     let keys: Vec<u8> = recipe.keys.iter().collect();
-    // What cannot be tuned is said before the minutes that the rest may take.
-    for &key in &keys {
-        predicted_length_m(&shape(recipe), &recipe.material, &tuning(recipe, key))
-            .map_err(|error| out_of_tune(recipe, key, error))?;
-    }
+    let maker = Maker::new(recipe)?;
     let (done, cancelled) = (AtomicUsize::new(0), AtomicBool::new(false));
-    // The longest tubes take longest; begun first, they leave no thread waiting at the end.
+    // The lowest bodies take longest; begun first, they leave no thread waiting at the end.
     let finished: Vec<Result<Finished, BuildError>> = keys
         .par_iter()
+        .enumerate()
         .with_max_len(1)
-        .map(|&key| {
+        .map(|(i, &key)| {
             let stopped = || BuildError::Cancelled {
                 recipe: recipe.name.clone(),
             };
             if cancelled.load(Ordering::Relaxed) {
                 return Err(stopped());
             }
-            let finished = body(recipe, key)?;
+            let place = (i as f64 + 0.5) / keys.len() as f64;
+            let finished = body(&maker, key, place)?;
             let count = done.fetch_add(1, Ordering::Relaxed) + 1;
             if progress.advance(count, keys.len()).is_break() {
                 cancelled.store(true, Ordering::Relaxed);
@@ -86,15 +84,16 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
     let greatest = |of: fn(&Finished) -> f64| finished.iter().map(of).fold(0.0, f64::max);
     Ok(Bank {
         name: recipe.name.clone(),
+        title: recipe.title.clone(),
         material: recipe.material,
         damping: recipe.damping,
-        ears_m: [[-0.1, -1.0, 0.5], [0.1, -1.0, 0.5]],
+        ears_m: ears_m(&recipe.listener),
         provenance: Provenance {
             recipe: recipe.text.clone(),
             code: CODE.to_owned(),
             mesh: format!(
-                "20-node hexahedra, 2×2×2 points, one layer, {} around, at most {} m along",
-                recipe.mesh.around, recipe.mesh.max_element_m
+                "8-node quadrilaterals of the meridian, 2×2 points, at most {} m long",
+                recipe.mesh.max_element_m
             ),
             solver: "shift-invert block Lanczos per number of waves around, inertia counts".into(),
             tolerance_cents: recipe.tuning.tolerance_cents,
@@ -105,65 +104,20 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
     })
 }
 
-fn out_of_tune(recipe: &Recipe, key: u8, error: TuneError) -> BuildError {
-    BuildError::Tune {
-        recipe: recipe.name.clone(),
-        key,
-        error,
-    }
-}
-
-/// The tube that every key's is cut from.
-fn shape(recipe: &Recipe) -> Tube {
-    let ShapeRecipe::Tube {
-        outer_radius_m,
-        wall_m,
-    } = recipe.shape;
-    Tube {
-        outer_radius_m,
-        wall_m,
-        length_m: 0.0,
-    }
-}
-
-fn tuning(recipe: &Recipe, key: u8) -> TubeTuning {
-    TubeTuning {
-        pitch_hz: equal_temperament_hz(key, recipe.tuning.a4_hz),
-        partial: usize::from(recipe.tuning.partial),
-        tolerance_cents: recipe.tuning.tolerance_cents,
-    }
-}
-
-fn body(recipe: &Recipe, key: u8) -> Result<Finished, BuildError> {
-    let fineness = Fineness {
-        around: usize::from(recipe.mesh.around),
-        max_element_m: recipe.mesh.max_element_m,
-    };
-    let tuning = tuning(recipe, key);
-    let tube = tune_tube(&shape(recipe), &recipe.material, fineness, &tuning)
-        .map_err(|error| out_of_tune(recipe, key, error))?;
-    let solved = tube_modes(&tube, &recipe.material, fineness, Band::AUDIBLE).map_err(|error| {
-        BuildError::Solve {
-            recipe: recipe.name.clone(),
-            key,
-            error,
-        }
-    })?;
+fn body(maker: &Maker<'_>, key: u8, place: f64) -> Result<Finished, BuildError> {
+    let solved = maker.solve(key)?;
+    let recipe = maker.recipe();
+    let residuals = solved.modes.iter().map(|mode| mode.residual);
     Ok(Finished {
-        residual: solved
-            .modes
-            .iter()
-            .map(|mode| mode.residual)
-            .fold(0.0, f64::max),
+        residual: residuals.fold(0.0, f64::max),
         orthonormality: solved.orthonormality,
-        body: Body {
-            key,
-            pitch_hz: tuning.pitch_hz,
-            length_m: tube.length_m,
-            mass_kg: tube.volume_m3() * recipe.material.density_kg_m3,
-            line: solved.line,
-            modes: solved.modes,
-        },
+        body: sounding(
+            solved,
+            (key, maker.pitch_hz(key)),
+            place,
+            &recipe.listener,
+            &recipe.losses,
+        ),
     })
 }
 

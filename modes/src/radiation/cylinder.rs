@@ -1,7 +1,7 @@
 //! The power that a vibrating cylinder radiates, wave by wave along its axis.
 
 use super::{AIR_KG_M3, SOUND_M_S};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Least number of axial waves that are summed.
 const FEWEST_WAVES: usize = 24;
@@ -69,12 +69,13 @@ fn hankel_slope_squared(m: usize, x: f64) -> f64 {
 #[cfg(test)]
 fn plane_decay_per_s(radius_m: f64, length_m: f64, amplitude: f64) -> f64 {
     // W = ½ρc ω² ∫φ² dS with ∫cos² = π, d = W/ω².
-    0.5 * AIR_KG_M3 * SOUND_M_S * amplitude * amplitude * PI * radius_m * length_m
+    0.5 * AIR_KG_M3 * SOUND_M_S * amplitude * amplitude * std::f64::consts::PI * radius_m * length_m
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     /// A long stiff tube shaken sideways: the dipole of a line, W/L = ρω³ π² a⁴ u²/(4·...) from the
     /// small-argument limit |H₁′(x)| → 2/(πx²).

@@ -35,15 +35,10 @@ const DIRECTIONS: [[f64; 3]; 6] = [
 const DIRECTIVITY: (f64, f64) = (0.1, 3.2);
 
 impl Transfers {
-    /// The ways from `surface`. A patch is heard where its normal points to (θ < 90°) and, if
-    /// `hides` is given, where it does not say that the way from the patch to the receiver is
-    /// blocked.
+    /// The ways from `surface`. A patch is heard where its normal points to (θ < 90°) and nothing of
+    /// the body is in the way.
     #[must_use]
-    pub fn new(
-        surface: &Surface,
-        listener: &Listener,
-        hides: Option<&dyn Fn([f64; 3], [f64; 3]) -> bool>,
-    ) -> Self {
+    pub fn new(surface: &Surface, listener: &Listener) -> Self {
         let [left, right] = listener.ears_m;
         let head = [0, 1, 2].map(|a| 0.5 * (left[a] + right[a]));
         let reference_m = norm(head);
@@ -60,7 +55,7 @@ impl Transfers {
                         let way = [0, 1, 2].map(|a| receiver[a] - point[a]);
                         let r = norm(way);
                         let cos = (0..3).map(|a| way[a] * normal[a]).sum::<f64>() / r;
-                        let heard = cos > 0.0 && !hides.is_some_and(|hides| hides(point, receiver));
+                        let heard = cos > 0.0 && surface.is_heard_at(i, receiver);
                         heard.then(|| (i as u32, area * cos / r, r - reference_m))
                     })
                     .collect()
@@ -137,7 +132,7 @@ mod tests {
     /// A breathing sphere radiates alike in all directions and is heard at the level of its power.
     #[test]
     fn a_breathing_sphere_is_heard_by_its_power() {
-        let (radius, count) = (0.05, 4000);
+        let (radius, count) = (0.05, 4000_u16);
         let golden = std::f64::consts::PI * (3.0 - 5f64.sqrt());
         let normals: Vec<[f64; 3]> = (0..count)
             .map(|i| {
@@ -151,13 +146,14 @@ mod tests {
         let surface = Surface {
             points_m: normals.iter().map(|n| n.map(|x| radius * x)).collect(),
             normals,
-            areas_m2: vec![area; count as usize],
+            areas_m2: vec![area; usize::from(count)],
+            mouth_m: None,
         };
         let listener = Listener {
             ears_m: [[-0.1, -1.0, 0.0], [0.1, -1.0, 0.0]],
         };
-        let transfers = Transfers::new(&surface, &listener, None);
-        let motion = vec![1.0; count as usize];
+        let transfers = Transfers::new(&surface, &listener);
+        let motion = vec![1.0; usize::from(count)];
         let (hz, rate) = (1000.0, 0.5);
         let [left, right] = transfers.ears(hz, &motion, rate);
         let power = (TAU * hz).powi(2) * rate;

@@ -1,14 +1,25 @@
 //! The ranges of a recipe's fields.
 
 use super::error::Fault;
-use super::raw::{Raw, RawBody, RawDamping, RawKeys, RawMaterial, RawMesh, RawTuning};
-use super::{KeyRange, MeshRecipe, Recipe, ShapeRecipe, TuningRecipe};
+use super::raw::{
+    Raw, RawBody, RawDamping, RawImperfection, RawKeys, RawListener, RawMaterial, RawMesh,
+    RawTuning,
+};
+use super::{
+    ImperfectionRecipe, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe, ShapeRecipe,
+    TuningRecipe,
+};
+use crate::shape::Bowl;
 use crate::{Damping, Material, MaterialError, NamedMaterial, Rayleigh};
 use std::ops::RangeInclusive;
 
 impl Raw {
     pub(super) fn check(self, text: &str) -> Result<Recipe, Fault> {
         let (material, own_damping) = check_material(&self.material)?;
+        let losses = match &self.damping {
+            Some(given) => check_losses(given)?,
+            None => LossRecipe::default(),
+        };
         let damping = match (self.damping, own_damping) {
             (Some(given), _) => check_damping(&given)?,
             (None, Some(own)) => Damping {
@@ -22,12 +33,20 @@ impl Raw {
             }
         };
         Ok(Recipe {
+            title: check_title(self.title.unwrap_or_else(|| self.name.clone()))?,
             name: check_name(self.name)?,
             keys: check_keys(&self.keys)?,
             tuning: check_tuning(&self.tuning)?,
             shape: check_body(&self.body)?,
             material,
             damping,
+            losses,
+            imperfection: self
+                .imperfection
+                .as_ref()
+                .map(check_imperfection)
+                .transpose()?,
+            listener: check_listener(&self.listener)?,
             mesh: check_mesh(&self.mesh)?,
             text: text.to_owned(),
         })
@@ -41,6 +60,39 @@ fn check_name(name: String) -> Result<String, Fault> {
     }
     let allowed = "1 to 64 small letters, digits, - and _, because it names a file";
     Err(Fault::field("name", format!("{name:?}"), allowed))
+}
+
+fn check_title(title: String) -> Result<String, Fault> {
+    if (1..=64).contains(&title.chars().count()) && !title.chars().any(char::is_control) {
+        return Ok(title);
+    }
+    Err(Fault::field(
+        "title",
+        format!("{title:?}"),
+        "1 to 64 characters of one line",
+    ))
+}
+
+fn check_losses(raw: &RawDamping) -> Result<LossRecipe, Fault> {
+    Ok(LossRecipe {
+        support_kg_s: within("damping.support_kg_s", raw.support_kg_s, 0.0..=1e3)?,
+        felt_kg_s: within("damping.felt_kg_s", raw.felt_kg_s, 0.0..=1e3)?,
+    })
+}
+
+fn check_imperfection(raw: &RawImperfection) -> Result<ImperfectionRecipe, Fault> {
+    Ok(ImperfectionRecipe {
+        mass_share: within("imperfection.mass_share", raw.mass_share, 0.0..=0.1)?,
+        angle_deg: within("imperfection.angle_deg", raw.angle_deg, -360.0..=360.0)?,
+    })
+}
+
+fn check_listener(raw: &RawListener) -> Result<ListenerRecipe, Fault> {
+    Ok(ListenerRecipe {
+        distance_m: within("listener.distance_m", raw.distance_m, 0.3..=20.0)?,
+        above_m: within("listener.above_m", raw.above_m, -5.0..=5.0)?,
+        row_m: within("listener.row_m", raw.row_m, 0.0..=10.0)?,
+    })
 }
 
 fn check_keys(keys: &RawKeys) -> Result<KeyRange, Fault> {
@@ -62,20 +114,60 @@ fn check_tuning(tuning: &RawTuning) -> Result<TuningRecipe, Fault> {
             tuning.tolerance_cents,
             0.001..=50.0,
         )?,
+        octaves_below: whole("tuning.octaves_below", tuning.octaves_below, 0..=4)? as u8,
     })
 }
 
 fn check_body(body: &RawBody) -> Result<ShapeRecipe, Fault> {
-    if body.shape != "tube" {
-        let value = format!("{:?}", body.shape);
-        return Err(Fault::field("body.shape", value, "\"tube\""));
+    let tube = [
+        ("body.outer_radius_m", body.outer_radius_m),
+        ("body.wall_m", body.wall_m),
+        ("body.plug_m", body.plug_m),
+        ("body.hung_at", body.hung_at),
+        ("body.felt_at", body.felt_at),
+    ];
+    let bowl = [
+        ("body.rim_radius_m", body.rim_radius_m),
+        ("body.base_radius_m", body.base_radius_m),
+        ("body.height_m", body.height_m),
+        ("body.squareness", body.squareness),
+        ("body.base_wall_m", body.base_wall_m),
+        ("body.rim_wall_m", body.rim_wall_m),
+    ];
+    match body.shape.as_str() {
+        "tube" => {
+            none_of(&bowl, "left out: a tube has none")?;
+            check_tube(body)
+        }
+        "bowl" => {
+            none_of(&tube, "left out: a bowl has none")?;
+            check_bowl(&bowl)
+        }
+        _ => {
+            let value = format!("{:?}", body.shape);
+            Err(Fault::field("body.shape", value, "\"tube\" or \"bowl\""))
+        }
     }
-    let outer_radius_m = body.outer_radius_m;
+}
+
+fn none_of(fields: &[(&'static str, Option<f64>)], allowed: &str) -> Result<(), Fault> {
+    match fields.iter().find_map(|&(field, x)| x.map(|x| (field, x))) {
+        Some((field, x)) => Err(Fault::field(field, x, allowed)),
+        None => Ok(()),
+    }
+}
+
+fn given(field: &'static str, x: Option<f64>) -> Result<f64, Fault> {
+    x.ok_or_else(|| Fault::field(field, "left out", "given"))
+}
+
+fn check_tube(body: &RawBody) -> Result<ShapeRecipe, Fault> {
+    let outer_radius_m = given("body.outer_radius_m", body.outer_radius_m)?;
     if !(outer_radius_m > 0.0 && outer_radius_m <= 1.0) {
         let allowed = "above 0 and at most 1";
         return Err(Fault::field("body.outer_radius_m", outer_radius_m, allowed));
     }
-    let wall_m = body.wall_m;
+    let wall_m = given("body.wall_m", body.wall_m)?;
     if !(wall_m > 0.0 && wall_m < outer_radius_m) {
         let allowed = format!("above 0 and below body.outer_radius_m = {outer_radius_m}");
         return Err(Fault::field("body.wall_m", wall_m, allowed));
@@ -83,7 +175,42 @@ fn check_body(body: &RawBody) -> Result<ShapeRecipe, Fault> {
     Ok(ShapeRecipe::Tube {
         outer_radius_m,
         wall_m,
+        plug_m: within("body.plug_m", body.plug_m.unwrap_or(0.0), 0.0..=0.2)?,
+        // The node of a free beam's first mode, where a chime hangs.
+        hung_at: within("body.hung_at", body.hung_at.unwrap_or(0.2242), 0.0..=1.0)?,
+        felt_at: within("body.felt_at", body.felt_at.unwrap_or(0.03), 0.0..=1.0)?,
     })
+}
+
+fn check_bowl(fields: &[(&'static str, Option<f64>); 6]) -> Result<ShapeRecipe, Fault> {
+    let mut values = [0.0; 6];
+    for (value, &(field, x)) in values.iter_mut().zip(fields) {
+        *value = given(field, x)?;
+    }
+    let [
+        rim_radius_m,
+        base_radius_m,
+        height_m,
+        squareness,
+        base_wall_m,
+        rim_wall_m,
+    ] = values;
+    let bowl = Bowl {
+        rim_radius_m,
+        base_radius_m,
+        height_m,
+        squareness: within("body.squareness", squareness, 1.0..=10.0)?,
+        base_wall_m,
+        rim_wall_m,
+    };
+    bowl.check().map_err(|error| {
+        Fault::field(
+            "body",
+            error.to_string(),
+            "a wall that does not run into itself",
+        )
+    })?;
+    Ok(ShapeRecipe::Bowl(bowl))
 }
 
 /// The material, and the damping that belongs to its name.
@@ -164,6 +291,7 @@ fn check_mesh(mesh: &RawMesh) -> Result<MeshRecipe, Fault> {
     Ok(MeshRecipe {
         around: whole("mesh.around", mesh.around, 8..=512)?,
         max_element_m: within("mesh.max_element_m", mesh.max_element_m, 0.0005..=0.1)?,
+        highest_hz: within("mesh.highest_hz", mesh.highest_hz, 1e3..=20e3)?,
     })
 }
 

@@ -7,11 +7,15 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub(super) struct Raw {
     pub(super) name: String,
+    pub(super) title: Option<String>,
     pub(super) keys: RawKeys,
     pub(super) tuning: RawTuning,
     pub(super) body: RawBody,
     pub(super) material: RawMaterial,
     pub(super) damping: Option<RawDamping>,
+    pub(super) imperfection: Option<RawImperfection>,
+    #[serde(default)]
+    pub(super) listener: RawListener,
     pub(super) mesh: RawMesh,
 }
 
@@ -27,6 +31,8 @@ pub(super) struct RawKeys {
 pub(super) struct RawTuning {
     pub(super) a4_hz: f64,
     pub(super) partial: i64,
+    #[serde(default)]
+    pub(super) octaves_below: i64,
     pub(super) tolerance_cents: f64,
 }
 
@@ -34,8 +40,42 @@ pub(super) struct RawTuning {
 #[serde(deny_unknown_fields)]
 pub(super) struct RawBody {
     pub(super) shape: String,
-    pub(super) outer_radius_m: f64,
-    pub(super) wall_m: f64,
+    pub(super) outer_radius_m: Option<f64>,
+    pub(super) wall_m: Option<f64>,
+    pub(super) plug_m: Option<f64>,
+    pub(super) hung_at: Option<f64>,
+    pub(super) felt_at: Option<f64>,
+    pub(super) rim_radius_m: Option<f64>,
+    pub(super) base_radius_m: Option<f64>,
+    pub(super) height_m: Option<f64>,
+    pub(super) squareness: Option<f64>,
+    pub(super) base_wall_m: Option<f64>,
+    pub(super) rim_wall_m: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawImperfection {
+    pub(super) mass_share: f64,
+    pub(super) angle_deg: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(super) struct RawListener {
+    pub(super) distance_m: f64,
+    pub(super) above_m: f64,
+    pub(super) row_m: f64,
+}
+
+impl Default for RawListener {
+    fn default() -> Self {
+        Self {
+            distance_m: 1.0,
+            above_m: 0.3,
+            row_m: 1.2,
+        }
+    }
 }
 
 #[derive(Deserialize)]
@@ -56,13 +96,28 @@ pub(super) struct RawDamping {
     pub(super) alpha2_per_s: f64,
     #[serde(default)]
     pub(super) loss_factor: f64,
+    #[serde(default)]
+    pub(super) support_kg_s: f64,
+    #[serde(default)]
+    pub(super) felt_kg_s: f64,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawMesh {
+    #[serde(default = "around")]
     pub(super) around: i64,
     pub(super) max_element_m: f64,
+    #[serde(default = "highest_hz")]
+    pub(super) highest_hz: f64,
+}
+
+fn around() -> i64 {
+    48
+}
+
+fn highest_hz() -> f64 {
+    20_000.0
 }
 
 impl Raw {

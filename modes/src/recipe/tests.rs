@@ -35,7 +35,10 @@ fn the_factory_chimes_are_those_of_the_paper() {
         recipe.shape,
         ShapeRecipe::Tube {
             outer_radius_m: 0.0125,
-            wall_m: 0.001
+            wall_m: 0.001,
+            plug_m: 0.0,
+            hung_at: 0.2242,
+            felt_at: 0.03,
         }
     );
     assert_eq!(recipe.material, chime.material);
@@ -63,7 +66,9 @@ fn materials_can_be_told_in_three_ways() {
 fn a_named_material_lends_its_damping() {
     let without = chimes_with("[damping]", "")
         .replace("alpha1_s = 1e-7", "")
-        .replace("alpha2_per_s = 0.0", "");
+        .replace("alpha2_per_s = 0.0", "")
+        .replace("loss_factor = 0.0", "")
+        .replace("support_kg_s = 0.02", "");
     let steel = without.replace("O'Brien 2002 aluminium", "steel");
     let damping = parse(&steel).unwrap().damping;
     assert_eq!(
@@ -98,7 +103,8 @@ fn whole_numbers_serve_as_numbers() {
         mesh,
         MeshRecipe {
             around: 8,
-            max_element_m: 0.006
+            max_element_m: 0.006,
+            highest_hz: 20_000.0,
         }
     );
 }
@@ -158,7 +164,7 @@ const FIELDS: &[(&str, &str, &str)] = &[
     (
         "shape = \"tube\"",
         "shape = \"bell\"",
-        "body.shape is \"bell\", but must be \"tube\"",
+        "body.shape is \"bell\", but must be \"tube\" or \"bowl\"",
     ),
     (
         "outer_radius_m = 0.0125",
@@ -277,7 +283,15 @@ fn faults_of_the_text_have_line_and_column() {
         assert!(message.starts_with(&place), "{message} is not {place}");
     }
     let missing = message("wall_m = 0.001", "");
-    let place = format!("my.toml:{}:1: missing field `wall_m`", line_of("[body]"));
+    assert_eq!(
+        missing,
+        "my.toml: body.wall_m is left out, but must be given"
+    );
+    let missing = message("tolerance_cents = 1.0", "");
+    let place = format!(
+        "my.toml:{}:1: missing field `tolerance_cents`",
+        line_of("[tuning]")
+    );
     assert!(missing.starts_with(&place), "{missing}");
     assert!(
         parse("")

@@ -22,6 +22,17 @@ pub struct Bell {
 const PLUG_CELLS: usize = 3;
 
 impl Bell {
+    /// `tube` without a plug, hung at the node of its lowest mode.
+    #[must_use]
+    pub fn open(tube: Tube) -> Self {
+        Self {
+            tube,
+            plug_m: 0.0,
+            hung_at: 0.2242,
+            felt_at: 0.03,
+        }
+    }
+
     /// The meridian of this bell, of cells no longer than `max_element_m`, with the top at z = 0 and
     /// the tube hanging down from it: position 0 of the strike line is the top.
     #[must_use]
@@ -97,7 +108,7 @@ pub fn bell(bell: &Bell, cells: [usize; 2]) -> Wall {
         felt: nearest(bell.felt_at).into_iter().collect(),
         line,
         heard,
-        radiator_radius_m: tube.outer_radius_m,
+        mouth_m: None,
         family: Family::Wall,
         meridian,
     }

@@ -60,7 +60,7 @@ pub fn bowl(bowl: &Bowl, max_element_m: f64) -> Result<Wall, ProfileError> {
         held: meridian.node_at(2 * base, 0).into_iter().collect(),
         felt: meridian.node_at(2 * along, 0).into_iter().collect(),
         heard: meridian.sides.clone(),
-        radiator_radius_m: bowl.rim_radius_m,
+        mouth_m: Some([bowl.rim_radius_m - bowl.rim_wall_m, bowl.height_m]),
         family: Family::Shell,
         meridian,
     })

@@ -108,6 +108,13 @@ fn see(wall: &Wall, harmonic: &Harmonic, order: usize, mode: Eigenmode) -> Found
         .zip(&wall.line_normals)
         .map(|(u, n)| u[0] * n[0] + u[2] * n[1])
         .collect();
+    // The cylinder that the air takes the wall for: its radius where it moves.
+    let (mut turning, mut weight) = (0.0, 0.0);
+    for (motion, &node) in normal.iter().zip(&wall.line) {
+        turning += motion * motion * wall.meridian.nodes_m[node as usize][0];
+        weight += motion * motion;
+    }
+    let radius_m = if weight > 0.0 { turning / weight } else { 1.0 };
     let step_m = path_m(wall) / (line.len() - 1) as f64;
     let energy = |a: usize| line.iter().map(|u| u[a] * u[a]).sum::<f64>();
     Found {
@@ -120,13 +127,7 @@ fn see(wall: &Wall, harmonic: &Harmonic, order: usize, mode: Eigenmode) -> Found
         },
         held: around(&wall.held),
         felt: around(&wall.felt),
-        radiation_per_s: cylinder_decay_per_s(
-            mode.hz,
-            order,
-            wall.radiator_radius_m,
-            step_m,
-            &normal,
-        ),
+        radiation_per_s: cylinder_decay_per_s(mode.hz, order, radius_m, step_m, &normal),
         mode,
         line,
         sides,
@@ -201,16 +202,18 @@ fn sampled(wall: &Wall, line: &[[f64; 3]], samples: usize) -> Vec<[f64; 3]> {
         .collect();
     if wall.mirrors {
         // Each component is even or odd about the middle; rounding is shared out.
-        for a in 0..3 {
+        let twin = |i: usize| samples - 1 - i;
+        let signs = [0, 1, 2].map(|a| {
             let overlap: f64 = (0..samples)
-                .map(|i| sampled[i][a] * sampled[samples - 1 - i][a])
+                .map(|i| sampled[i][a] * sampled[twin(i)][a])
                 .sum();
-            let sign = if overlap < 0.0 { -1.0 } else { 1.0 };
-            for i in 0..samples.div_ceil(2) {
-                let twin = samples - 1 - i;
-                let value = 0.5 * (sampled[i][a] + sign * sampled[twin][a]);
-                (sampled[i][a], sampled[twin][a]) = (value, sign * value);
-            }
+            if overlap < 0.0 { -1.0 } else { 1.0 }
+        });
+        for i in 0..samples.div_ceil(2) {
+            let (p, q) = (sampled[i], sampled[twin(i)]);
+            let mean = [0, 1, 2].map(|a| 0.5 * (p[a] + signs[a] * q[a]));
+            sampled[twin(i)] = [0, 1, 2].map(|a| signs[a] * mean[a]);
+            sampled[i] = mean;
         }
     }
     sampled
@@ -308,7 +311,10 @@ fn surface(wall: &Wall) -> Surface {
         (low, high) = (low.min(node[1]), high.max(node[1]));
     }
     let middle = 0.5 * (low + high);
-    let mut surface = Surface::default();
+    let mut surface = Surface {
+        mouth_m: wall.mouth_m.map(|[r, z]| [r, z - middle]),
+        ..Surface::default()
+    };
     for side in &wall.heard {
         let [p, q, r] = side.map(|node| wall.meridian.nodes_m[node as usize]);
         let normal = side_normal(wall, side);
@@ -354,12 +360,7 @@ mod tests {
     use crate::shape::Tube;
 
     fn chime() -> SolvedBody {
-        let bell = Bell {
-            tube: Tube::D5,
-            plug_m: 0.0,
-            hung_at: 0.2242,
-            felt_at: 0.05,
-        };
+        let bell = Bell::open(Tube::D5);
         revolution_modes(&bell.wall(0.02), &TABLE_1[0].material, Band::AUDIBLE, None).unwrap()
     }
 
@@ -410,12 +411,7 @@ mod tests {
                 assert!(pair[1].shape.iter().all(|u| u[0] == 0.0 && u[2] == 0.0));
             }
         }
-        let bell = Bell {
-            tube: Tube::D5,
-            plug_m: 0.0,
-            hung_at: 0.2242,
-            felt_at: 0.05,
-        };
+        let bell = Bell::open(Tube::D5);
         let mass_kg = 1e-4;
         let imperfection = Some(Imperfection {
             mass_kg,

@@ -22,8 +22,8 @@ pub struct Wall {
     pub felt: Vec<u32>,
     /// Sides of the meridian that radiate to the outside.
     pub heard: Vec<[u32; 3]>,
-    /// Radius in m of the cylinder that the air takes it for.
-    pub radiator_radius_m: f64,
+    /// Radius and height (r, z) in m of its mouth, if it is open above.
+    pub mouth_m: Option<[f64; 2]>,
     /// What motions of two and more waves around the axis are called.
     pub family: Family,
 }

@@ -1,10 +1,11 @@
 //! All modes of a band: solved, counted, checked.
 
 use super::SolveError;
-use super::block::{add_product, inner};
 use super::dense;
-use super::factor::{Cholesky, Symbolic};
+use super::factor::Symbolic;
 use super::lanczos::Lanczos;
+use super::panel::{self, WIDTH};
+use super::sparse::{Mass, forces_and_inertias};
 use crate::fem::Pencil;
 use std::f64::consts::TAU;
 
@@ -65,15 +66,12 @@ pub struct Solution {
 /// Pencils of fewer unknowns than this are solved densely.
 const DENSE_BELOW: usize = 300;
 
-/// Vectors multiplied at once.
-const BLOCK: usize = 4;
-
 /// Largest residual of the inverse operator that counts as converged, relative to its eigenvalue.
-const TOLERANCE: f64 = 1e-9;
+const TOLERANCE: f64 = 4e-9;
 
 /// Shift below the spectrum, as the frequency whose −ω² it is: near the lowest modes, yet far enough
-/// from the rigid motions for K − σM to be well conditioned.
-const SHIFT_HZ: f64 = 200.0;
+/// from the rigid motions for K − σM to be well conditioned and for them not to outweigh the rest.
+const SHIFT_HZ: f64 = 1000.0;
 
 /// Largest relative residual that a mode may have. Rounding alone leaves some 10⁻¹⁶ times the ratio
 /// of the mesh's highest eigenvalue to the mode's: 3·10⁻⁷ for the lowest mode of a tube of 1.5 m.
@@ -94,8 +92,9 @@ pub fn modes_in_band(pencil: &Pencil, band: Band) -> Result<Solution, SolveError
     if pencil.unknowns() < DENSE_BELOW {
         let (values, vectors) = dense::generalised(pencil)?;
         let counted = values.partition_point(|&value| value < top);
-        let vectors = &vectors[..counted * pencil.unknowns()];
-        return finish(pencil, band, &values[..counted], vectors, Solver::Dense);
+        let panels =
+            panel::from_columns(&vectors[..counted * pencil.unknowns()], pencil.unknowns());
+        return finish(pencil, band, &values[..counted], &panels, Solver::Dense);
     }
     let symbolic = Symbolic::new(pencil);
     let counted = symbolic.count_below(pencil, top);
@@ -104,13 +103,14 @@ pub fn modes_in_band(pencil: &Pencil, band: Band) -> Result<Solution, SolveError
     }
     let shift = -(TAU * SHIFT_HZ).powi(2);
     let factor = symbolic.cholesky(pencil, shift)?;
-    let mut lanczos = Lanczos::new(pencil, &factor, shift, BLOCK);
+    let mass = Mass::new(pencil, symbolic.place());
+    let mut lanczos = Lanczos::new(&factor, &mass, shift);
     let largest = (4 * counted + 60).min(pencil.unknowns());
     loop {
         lanczos.expand();
         let size = lanczos.size();
-        // Fewer vectors than modes cannot do; then a look every few blocks is cheap enough.
-        if size < counted + 2 * BLOCK || !(size / BLOCK).is_multiple_of(4) {
+        // Fewer vectors than modes cannot do.
+        if size < counted + WIDTH {
             continue;
         }
         let ritz = lanczos.ritz();
@@ -120,12 +120,16 @@ pub fn modes_in_band(pencil: &Pencil, band: Band) -> Result<Solution, SolveError
             .take_while(|pair| pair.eigenvalue < top && pair.residual < TOLERANCE)
             .count();
         if converged >= counted {
-            let vectors = lanczos.vectors(&ritz, counted);
-            let (values, vectors) = polish(pencil, &factor, shift, &vectors)?;
+            let panels: Vec<_> = lanczos
+                .vectors(&ritz, counted)
+                .iter()
+                .map(|panel| panel::reorder(panel, symbolic.place()))
+                .collect();
+            let values: Vec<f64> = ritz.pairs[..counted].iter().map(|p| p.eigenvalue).collect();
             let solver = Solver::Lanczos { subspace: size };
-            return finish(pencil, band, &values, &vectors, solver);
+            return finish(pencil, band, &values, &panels, solver);
         }
-        if size + 4 * BLOCK > largest {
+        if size + 2 * WIDTH > largest {
             return Err(SolveError::NotConverged {
                 converged,
                 wanted: counted,
@@ -133,32 +137,6 @@ pub fn modes_in_band(pencil: &Pencil, band: Band) -> Result<Solution, SolveError
             });
         }
     }
-}
-
-/// One step of inverse subspace iteration with Rayleigh–Ritz (Parlett 1998, §14.3): cleans the
-/// vectors of the rough parts that the stiffness would magnify in their residuals.
-fn polish(
-    pencil: &Pencil,
-    factor: &Cholesky<'_>,
-    shift: f64,
-    vectors: &[f64],
-) -> Result<(Vec<f64>, Vec<f64>), SolveError> {
-    let n = pencil.unknowns();
-    let mut loads = vec![0.0; vectors.len()];
-    pencil.multiply(&pencil.mass, vectors, &mut loads);
-    let mut smooth = loads.clone();
-    factor.solve(&mut smooth);
-    let mut inertias = vec![0.0; vectors.len()];
-    pencil.multiply(&pencil.mass, &smooth, &mut inertias);
-    let mass = inner(&smooth, &inertias, n);
-    // (K − σM) applied to the smoothed vectors gives back the loads, without K's rounding.
-    let work = inner(&smooth, &loads, n);
-    let stiffness: Vec<f64> = work.iter().zip(&mass).map(|(w, m)| w + shift * m).collect();
-    let count = vectors.len() / n;
-    let (values, coefficients) = dense::reduced(&stiffness, &mass, count)?;
-    let mut polished = vec![0.0; vectors.len()];
-    add_product(&mut polished, &smooth, &coefficients, 1.0, n);
-    Ok((values, polished))
 }
 
 /// Frequency in Hz of the `index`th elastic mode of `pencil`, counted from 0 above the rigid motions.
@@ -179,7 +157,8 @@ pub fn lowest_of(pencil: &Pencil, count: usize) -> Result<Vec<f64>, SolveError> 
     let symbolic = Symbolic::new(pencil);
     let shift = -(TAU * SHIFT_HZ).powi(2);
     let factor = symbolic.cholesky(pencil, shift)?;
-    let mut lanczos = Lanczos::new(pencil, &factor, shift, 2);
+    let mass = Mass::new(pencil, symbolic.place());
+    let mut lanczos = Lanczos::new(&factor, &mass, shift);
     let wanted = pencil.rigid + count;
     let largest = 4 * wanted + 60;
     loop {
@@ -212,10 +191,9 @@ fn finish(
     pencil: &Pencil,
     band: Band,
     values: &[f64],
-    vectors: &[f64],
+    panels: &[Vec<f64>],
     solver: Solver,
 ) -> Result<Solution, SolveError> {
-    let n = pencil.unknowns();
     let rigid_top = (TAU * RIGID_HZ).powi(2);
     let found = values.partition_point(|&value| value < rigid_top);
     if found != pencil.rigid {
@@ -224,25 +202,30 @@ fn finish(
             expected: pencil.rigid,
         });
     }
-    let (mut forces, mut inertias) = (vec![0.0; vectors.len()], vec![0.0; vectors.len()]);
-    pencil.multiply(&pencil.stiffness, vectors, &mut forces);
-    pencil.multiply(&pencil.mass, vectors, &mut inertias);
     let bottom = (TAU * band.low_hz).powi(2);
-    let modes: Vec<_> = (0..values.len())
-        .filter(|&i| values[i] >= bottom.max(rigid_top))
-        .map(|i| {
-            let column = i * n..(i + 1) * n;
-            let pairs = forces[column.clone()].iter().zip(&inertias[column.clone()]);
-            let (error, force) = pairs.fold((0.0, 0.0), |(error, force), (k, m)| {
-                (error + (k - values[i] * m).powi(2), force + k * k)
-            });
-            Eigenmode {
-                hz: values[i].sqrt() / TAU,
-                residual: (error / force).sqrt(),
-                vector: vectors[column].to_vec(),
+    let (mut modes, mut orthonormality) = (Vec::new(), 0.0f64);
+    for (p, (panel, values)) in panels.iter().zip(values.chunks(WIDTH)).enumerate() {
+        let (forces, inertias) = forces_and_inertias(pencil, panel);
+        for (q, other) in panels[..=p].iter().enumerate() {
+            for (at, entry) in panel::inner(other, &inertias).into_iter().enumerate() {
+                let (i, j) = (at / WIDTH, at % WIDTH);
+                if j < values.len() {
+                    let expected = f64::from(u8::from(p == q && i == j));
+                    orthonormality = orthonormality.max((entry - expected).abs());
+                }
             }
-        })
-        .collect();
+        }
+        let residuals = residuals(&forces, &inertias, values);
+        for (c, (&value, residual)) in values.iter().zip(residuals).enumerate() {
+            if value >= bottom.max(rigid_top) {
+                modes.push(Eigenmode {
+                    hz: value.sqrt() / TAU,
+                    residual,
+                    vector: panel.iter().skip(c).step_by(WIDTH).copied().collect(),
+                });
+            }
+        }
+    }
     if let Some(mode) = modes.iter().find(|mode| mode.residual > MAX_RESIDUAL) {
         return Err(SolveError::Inaccurate {
             hz: mode.hz,
@@ -250,21 +233,24 @@ fn finish(
             allowed: MAX_RESIDUAL,
         });
     }
-    let gram = inner(vectors, &inertias, n);
-    let orthonormality = gram
-        .iter()
-        .enumerate()
-        .map(|(at, &entry)| {
-            let expected = f64::from(u8::from(at % values.len() == at / values.len()));
-            (entry - expected).abs()
-        })
-        .fold(0.0, f64::max);
     Ok(Solution {
         modes,
         counted: values.len(),
         orthonormality,
         solver,
     })
+}
+
+/// ‖Kφ − λMφ‖ / ‖Kφ‖ of the vectors of a panel.
+fn residuals(forces: &[f64], inertias: &[f64], values: &[f64]) -> [f64; WIDTH] {
+    let mut sums = [(0.0, 0.0); WIDTH];
+    for (force, inertia) in forces.chunks_exact(WIDTH).zip(inertias.chunks_exact(WIDTH)) {
+        for (c, &value) in values.iter().enumerate() {
+            sums[c].0 += (force[c] - value * inertia[c]).powi(2);
+            sums[c].1 += force[c] * force[c];
+        }
+    }
+    sums.map(|(error, force): (f64, f64)| (error / force).sqrt())
 }
 
 #[cfg(test)]

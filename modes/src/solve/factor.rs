@@ -1,15 +1,18 @@
 //! Sparse factorisations of K − sM: solves for s below the spectrum, sign counts for s within it.
 
-use super::SolveError;
+use super::order::order;
+use super::{SolveError, substitution};
 use crate::fem::Pencil;
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
     factorize_symbolic_cholesky,
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par, Side};
+use faer::{Par, Side};
 
 /// Fill-reducing order and block structure of K − sM for every s.
 pub(super) struct Symbolic(SymbolicCholesky<u32>);
@@ -38,10 +41,33 @@ impl Symbolic {
             ..Default::default()
         };
         let matrix = symbolic_matrix(pencil);
+        let (forward, inverse) = order(&pencil.pattern);
+        let order = PermRef::new_checked(&forward, &inverse, pencil.unknowns());
         Self(
-            factorize_symbolic_cholesky(matrix, Side::Lower, SymmetricOrdering::Amd, params)
-                .expect("the pattern is square and fits in memory"),
+            factorize_symbolic_cholesky(
+                matrix,
+                Side::Lower,
+                SymmetricOrdering::Custom(order),
+                params,
+            )
+            .expect("the pattern is square and fits in memory"),
         )
+    }
+
+    fn nodes(&self) -> &SymbolicSupernodalCholesky<u32> {
+        match self.0.raw() {
+            SymbolicCholeskyRaw::Supernodal(nodes) => nodes,
+            SymbolicCholeskyRaw::Simplicial(_) => unreachable!("supernodes are forced"),
+        }
+    }
+
+    /// Where the factor puts each unknown.
+    pub(super) fn place(&self) -> &[u32] {
+        self.0
+            .perm()
+            .expect("the order is never the pencil's own")
+            .arrays()
+            .1
     }
 
     /// Factors K − `shift` M, which must be positive definite; `shift` in (rad/s)².
@@ -91,9 +117,7 @@ impl Symbolic {
             MemStack::new(&mut MemBuffer::new(scratch)),
             Default::default(),
         );
-        let SymbolicCholeskyRaw::Supernodal(nodes) = self.0.raw() else {
-            unreachable!("supernodes are forced");
-        };
+        let nodes = self.nodes();
         let mut negative = 0;
         for s in 0..nodes.n_supernodes() {
             let columns = nodes.supernode_begin()[s] as usize..nodes.supernode_end()[s] as usize;
@@ -131,18 +155,14 @@ fn negative_pivots(diagonal: &[f64], below: &[f64]) -> usize {
 }
 
 impl Cholesky<'_> {
-    /// Solves (K − sM) X = B in place for the columns of length n that `block` holds back to back.
-    pub(super) fn solve(&self, block: &mut [f64]) {
-        let symbolic = &self.symbolic.0;
-        let n = symbolic.nrows();
-        let columns = block.len() / n;
-        let scratch = symbolic.solve_in_place_scratch::<f64>(columns, Par::Seq);
-        LltRef::<u32, f64>::new(symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(block, n, columns),
-            Par::Seq,
-            MemStack::new(&mut MemBuffer::new(scratch)),
-        );
+    /// Number of unknowns.
+    pub(super) fn unknowns(&self) -> usize {
+        self.symbolic.0.nrows()
+    }
+
+    /// Solves (K − sM) X = B in place for a panel in the order of the factor.
+    pub(super) fn solve(&self, panel: &mut [f64]) {
+        substitution::solve(self.symbolic.nodes(), &self.values, panel);
     }
 }
 

@@ -4,25 +4,28 @@
 //! few hundred vectors, which are kept orthonormal outright. A block of several vectors reads the
 //! factor once for all of them and finds every member of a degenerate group.
 
-use super::block::{add_product, inner, view};
 use super::dense;
 use super::factor::Cholesky;
-use crate::fem::Pencil;
+use super::orthonormal::{Triangle, cholesky_qr};
+use super::panel::{WIDTH, add_product, inner, subtract_product};
+use super::sparse::Mass;
 
-/// A Krylov basis and the operator projected on it.
+/// Part of a vector that must be new for it to count as a direction of its own.
+const NEW: f64 = 1e-10;
+
+/// A Krylov basis and the operator projected on it. Everything is in the order of the factor.
 pub(super) struct Lanczos<'a> {
-    pencil: &'a Pencil,
+    mass: &'a Mass,
     factor: &'a Cholesky<'a>,
     /// σ, in (rad/s)².
     shift: f64,
-    block: usize,
-    /// M-orthonormal vectors, back to back.
+    /// M-orthonormal panels, back to back.
     basis: Vec<f64>,
-    /// M times each of them.
-    mass_basis: Vec<f64>,
-    /// Diagonal blocks of the projection, then what couples each to the next, column by column.
-    diagonal: Vec<Vec<f64>>,
-    coupling: Vec<Vec<f64>>,
+    /// M times the newest panel.
+    mass_newest: Vec<f64>,
+    /// Diagonal blocks of the projection, then what couples each to the next, row by row.
+    diagonal: Vec<Triangle>,
+    coupling: Vec<Triangle>,
     random: SplitMix,
 }
 
@@ -43,155 +46,163 @@ pub(super) struct RitzSet {
 }
 
 impl<'a> Lanczos<'a> {
-    /// Starts from a fixed pseudo-random block.
-    pub(super) fn new(
-        pencil: &'a Pencil,
-        factor: &'a Cholesky<'a>,
-        shift: f64,
-        block: usize,
-    ) -> Self {
+    /// Starts from a fixed pseudo-random panel.
+    pub(super) fn new(factor: &'a Cholesky<'a>, mass: &'a Mass, shift: f64) -> Self {
         let mut lanczos = Self {
-            pencil,
+            mass,
             factor,
             shift,
-            block,
             basis: Vec::new(),
-            mass_basis: Vec::new(),
+            mass_newest: Vec::new(),
             diagonal: Vec::new(),
             coupling: Vec::new(),
             random: SplitMix(0x1d10_f04e),
         };
-        let mut start = vec![0.0; pencil.unknowns() * block];
-        lanczos.random.fill(&mut start);
-        let mut mass = start.clone();
-        pencil.multiply(&pencil.mass, &start, &mut mass);
-        // One application damps the rough part that no wanted mode has.
-        factor.solve(&mut mass);
-        lanczos.append(mass);
+        let start = lanczos.fresh();
+        let gram = inner(&start, &mass.multiply(&start));
+        lanczos.append(start, &gram, &[0.0; WIDTH]);
         lanczos
     }
 
     /// Vectors in the basis that have been multiplied by the operator.
     pub(super) fn size(&self) -> usize {
-        self.diagonal.len() * self.block
+        self.diagonal.len() * WIDTH
     }
 
-    /// Multiplies the newest block by the operator and appends what is new in the product.
+    fn panel(&self) -> usize {
+        self.factor.unknowns() * WIDTH
+    }
+
+    /// Pseudo-random vectors without the rough part that no wanted mode has.
+    fn fresh(&mut self) -> Vec<f64> {
+        let mut panel = vec![0.0; self.panel()];
+        self.random.fill(&mut panel);
+        let mut panel = self.mass.multiply(&panel);
+        self.factor.solve(&mut panel);
+        panel
+    }
+
+    /// Multiplies the newest panel by the operator and appends what is new in the product.
     pub(super) fn expand(&mut self) {
-        let n = self.pencil.unknowns();
-        let mut product = self.mass_basis[self.mass_basis.len() - n * self.block..].to_vec();
+        let newest = self.basis.len() - self.panel();
+        let mut product = self.mass_newest.clone();
         self.factor.solve(&mut product);
-        let first = inner(&self.mass_basis, &product, n);
-        add_product(&mut product, &self.basis, &first, -1.0, n);
-        let second = inner(&self.mass_basis, &product, n);
-        add_product(&mut product, &self.basis, &second, -1.0, n);
-        let (b, height) = (self.block, self.basis.len() / n);
-        let entry = |i: usize, j: usize| {
-            let at = j * height + height - b + i;
-            first[at] + second[at]
-        };
-        let diagonal = (0..b * b)
-            .map(|at| 0.5 * (entry(at % b, at / b) + entry(at / b, at % b)))
-            .collect();
-        self.diagonal.push(diagonal);
-        let coupling = self.append(product);
+        let mut lengths = [0.0; WIDTH];
+        // The operator couples to the last two panels only ...
+        if let Some(coupling) = self.coupling.last() {
+            let back: Triangle =
+                std::array::from_fn(|at| coupling[at % WIDTH * WIDTH + at / WIDTH]);
+            let previous = &self.basis[newest - self.panel()..newest];
+            subtract_product(&mut product, previous, &back);
+            add_squares(&mut lengths, &back);
+        }
+        let local = inner(&self.mass_newest, &product);
+        subtract_product(&mut product, &self.basis[newest..], &local);
+        add_squares(&mut lengths, &local);
+        // ... and what rounding leaves on all the others goes in one pass.
+        let inertia = self.mass.multiply(&product);
+        let rest = inner(&self.basis, &inertia);
+        let gram = inner(&product, &inertia);
+        subtract_product(&mut product, &self.basis, &rest);
+        let last = &rest[rest.len() - WIDTH * WIDTH..];
+        let entry = |at: usize| local[at] + last[at];
+        self.diagonal.push(std::array::from_fn(|at| {
+            0.5 * (entry(at) + entry(at % WIDTH * WIDTH + at / WIDTH))
+        }));
+        let coupling = self.append(product, &gram, &lengths.map(f64::sqrt));
         self.coupling.push(coupling);
     }
 
-    /// M-orthonormalises `vectors` among themselves (they are already orthogonal to the basis, or
-    /// there is none), appends them, and returns the triangle R with `vectors` = Q R.
-    fn append(&mut self, mut vectors: Vec<f64>) -> Vec<f64> {
-        let (n, b) = (self.pencil.unknowns(), self.block);
-        let mut mass = vec![0.0; vectors.len()];
-        self.pencil.multiply(&self.pencil.mass, &vectors, &mut mass);
-        let mut triangle = vec![0.0; b * b];
-        for j in 0..b {
-            let before = dot(&vectors[j * n..][..n], &mass[j * n..][..n])
-                .max(0.0)
-                .sqrt();
-            for _ in 0..2 {
-                for i in 0..j {
-                    let c = dot(&mass[i * n..][..n], &vectors[j * n..][..n]);
-                    subtract(&mut vectors, i, j, n, c);
-                    subtract(&mut mass, i, j, n, c);
-                    triangle[j * b + i] += c;
-                }
+    /// M-orthonormalises `panel` in itself (it is already orthogonal to the basis, or there is
+    /// none), appends it, and returns the triangle R with `panel` = Q R. `lengths` are the vectors'
+    /// before the basis was taken out of them, `gram` their inner products to a few digits.
+    fn append(&mut self, mut panel: Vec<f64>, gram: &[f64], lengths: &[f64; WIDTH]) -> Triangle {
+        let coupling = match cholesky_qr(self.mass, &mut panel, gram) {
+            Some((product, triangle))
+                if (0..WIDTH).all(|j| triangle[j * WIDTH + j] > NEW * lengths[j]) =>
+            {
+                self.mass_newest = product;
+                triangle
             }
-            let after = dot(&vectors[j * n..][..n], &mass[j * n..][..n])
-                .max(0.0)
-                .sqrt();
-            if after > 1e-10 * before {
-                triangle[j * b + j] = after;
-                scale(&mut vectors[j * n..][..n], 1.0 / after);
-                scale(&mut mass[j * n..][..n], 1.0 / after);
+            _ => self.gram_schmidt(&mut panel, lengths),
+        };
+        self.basis.extend_from_slice(&panel);
+        coupling
+    }
+
+    /// As [`Self::append`], vector by vector; where one has nothing new in it a fresh one, coupled to
+    /// nothing, takes its place.
+    fn gram_schmidt(&mut self, panel: &mut [f64], lengths: &[f64; WIDTH]) -> Triangle {
+        let mut triangle = [0.0; WIDTH * WIDTH];
+        for j in 0..WIDTH {
+            let before = column_dots(panel, &self.mass.multiply(panel), j)[j].max(0.0);
+            self.clear(panel, j, &mut triangle);
+            let after = column_dots(panel, &self.mass.multiply(panel), j)[j].max(0.0);
+            let mut length = after.sqrt();
+            if length > NEW * before.sqrt().max(lengths[j]) {
+                triangle[j * WIDTH + j] = length;
             } else {
-                // Nothing new in this direction: go on with a fresh one, coupled to nothing.
-                self.replace(&mut vectors, &mut mass, j);
+                let fresh = self.fresh();
+                for (row, fresh) in rows(panel).zip(fresh.chunks_exact(WIDTH)) {
+                    row[j] = fresh[j];
+                }
+                for _ in 0..2 {
+                    let mut known = inner(&self.basis, &self.mass.multiply(panel));
+                    for row in rows(&mut known) {
+                        *row = std::array::from_fn(|c| if c == j { row[c] } else { 0.0 });
+                    }
+                    subtract_product(panel, &self.basis, &known);
+                    self.clear(panel, j, &mut [0.0; WIDTH * WIDTH]);
+                }
+                length = column_dots(panel, &self.mass.multiply(panel), j)[j].sqrt();
+            }
+            for row in rows(panel) {
+                row[j] /= length;
             }
         }
-        self.basis.extend_from_slice(&vectors);
-        self.mass_basis.extend_from_slice(&mass);
+        self.mass_newest = self.mass.multiply(panel);
         triangle
     }
 
-    fn replace(&mut self, vectors: &mut [f64], mass: &mut [f64], j: usize) {
-        let n = self.pencil.unknowns();
-        let mut fresh = vec![0.0; n];
-        let mut product = vec![0.0; n];
-        self.random.fill(&mut fresh);
-        self.pencil
-            .multiply(&self.pencil.mass, &fresh, &mut product);
-        self.factor.solve(&mut product);
-        fresh.copy_from_slice(&product);
+    /// Takes the vectors before the `j`th out of it, twice; adds what they were to `triangle`.
+    fn clear(&self, panel: &mut [f64], j: usize, triangle: &mut Triangle) {
         for _ in 0..2 {
-            let c = inner(&self.mass_basis, &fresh, n);
-            add_product(&mut fresh, &self.basis, &c, -1.0, n);
-            let c = inner(&mass[..j * n], &fresh, n);
-            add_product(&mut fresh, &vectors[..j * n], &c, -1.0, n);
+            let known = column_dots(panel, &self.mass.multiply(panel), j);
+            for row in rows(panel) {
+                row[j] -= (0..j).map(|i| known[i] * row[i]).sum::<f64>();
+            }
+            for i in 0..j {
+                triangle[i * WIDTH + j] += known[i];
+            }
         }
-        self.pencil
-            .multiply(&self.pencil.mass, &fresh, &mut product);
-        let norm = dot(&fresh, &product).sqrt();
-        scale(&mut fresh, 1.0 / norm);
-        scale(&mut product, 1.0 / norm);
-        vectors[j * n..][..n].copy_from_slice(&fresh);
-        mass[j * n..][..n].copy_from_slice(&product);
     }
 
     /// Approximate eigenpairs of what has been expanded so far.
     pub(super) fn ritz(&self) -> RitzSet {
-        let (b, m) = (self.block, self.size());
+        let m = self.size();
         let mut projected = vec![0.0; m * m];
         for (k, diagonal) in self.diagonal.iter().enumerate() {
-            for at in 0..b * b {
-                projected[(k * b + at / b) * m + k * b + at % b] = diagonal[at];
+            for at in 0..WIDTH * WIDTH {
+                projected[(k * WIDTH + at % WIDTH) * m + k * WIDTH + at / WIDTH] = diagonal[at];
             }
-            if (k + 1) * b < m {
-                for at in 0..b * b {
-                    let (row, column) = ((k + 1) * b + at % b, k * b + at / b);
+            if (k + 1) * WIDTH < m {
+                for at in 0..WIDTH * WIDTH {
+                    let (row, column) = ((k + 1) * WIDTH + at / WIDTH, k * WIDTH + at % WIDTH);
                     projected[column * m + row] = self.coupling[k][at];
                     projected[row * m + column] = self.coupling[k][at];
                 }
             }
         }
         let (values, coefficients) = dense::symmetric(&projected, m);
-        let last = &self.coupling[self.coupling.len() - 1];
         let mut pairs: Vec<Ritz> = (0..m)
             .rev()
             .filter(|&column| values[column] > 0.0)
             .map(|column| {
-                let tail = &coefficients[column * m + m - b..][..b];
-                let leak: f64 = (0..b)
-                    .map(|i| {
-                        (0..b)
-                            .map(|j| last[j * b + i] * tail[j])
-                            .sum::<f64>()
-                            .powi(2)
-                    })
-                    .sum();
+                let leak = self.leak(&coefficients[column * m..][..m]);
+                let squares: f64 = leak.iter().map(|c| c * c).sum();
                 Ritz {
                     eigenvalue: 1.0 / values[column] + self.shift,
-                    residual: leak.sqrt() / values[column],
+                    residual: squares.sqrt() / values[column],
                     column,
                 }
             })
@@ -203,35 +214,59 @@ impl<'a> Lanczos<'a> {
         }
     }
 
-    /// The vectors in space of the first `count` of `ritz`, back to back, M-orthonormal.
-    pub(super) fn vectors(&self, ritz: &RitzSet, count: usize) -> Vec<f64> {
-        let (n, m) = (self.pencil.unknowns(), self.size());
-        let coefficients = view(&ritz.coefficients, m);
-        let chosen: Vec<f64> = ritz.pairs[..count]
-            .iter()
-            .flat_map(|pair| (0..m).map(|i| coefficients[(i, pair.column)]))
-            .collect();
-        let mut vectors = vec![0.0; n * count];
-        add_product(&mut vectors, &self.basis[..n * m], &chosen, 1.0, n);
-        vectors
+    /// What the operator makes of the vector with these coefficients outside the subspace, in terms
+    /// of the newest panel.
+    fn leak(&self, coefficients: &[f64]) -> [f64; WIDTH] {
+        let last = &self.coupling[self.coupling.len() - 1];
+        let tail = &coefficients[coefficients.len() - WIDTH..];
+        std::array::from_fn(|i| (0..WIDTH).map(|j| last[i * WIDTH + j] * tail[j]).sum())
+    }
+
+    /// The operator's image of the first `count` vectors of `ritz`, which is nearer to the modes
+    /// than they are (Ericsson & Ruhe 1980): panels in the order of the factor, M-orthonormal.
+    pub(super) fn vectors(&self, ritz: &RitzSet, count: usize) -> Vec<Vec<f64>> {
+        let m = self.size();
+        ritz.pairs[..count]
+            .chunks(WIDTH)
+            .map(|pairs| {
+                let mut chosen = vec![0.0; (m + WIDTH) * WIDTH];
+                for (c, pair) in pairs.iter().enumerate() {
+                    let coefficients = &ritz.coefficients[pair.column * m..][..m];
+                    let gain = pair.eigenvalue - self.shift;
+                    let leak = self.leak(coefficients).map(|c| gain * c);
+                    for (i, value) in coefficients.iter().chain(&leak).enumerate() {
+                        chosen[i * WIDTH + c] = *value;
+                    }
+                }
+                let mut panel = vec![0.0; self.panel()];
+                add_product(&mut panel, &self.basis, &chosen);
+                panel
+            })
+            .collect()
     }
 }
 
-fn dot(x: &[f64], y: &[f64]) -> f64 {
-    x.iter().zip(y).map(|(x, y)| x * y).sum()
+fn rows(panel: &mut [f64]) -> impl Iterator<Item = &mut [f64; WIDTH]> {
+    panel.as_chunks_mut().0.iter_mut()
 }
 
-fn scale(x: &mut [f64], factor: f64) {
-    for x in x {
-        *x *= factor;
+/// Inner products of all vectors of `x` with the `j`th of `y`.
+fn column_dots(x: &[f64], y: &[f64], j: usize) -> [f64; WIDTH] {
+    let mut dots = [0.0; WIDTH];
+    for (x, y) in x.chunks_exact(WIDTH).zip(y.chunks_exact(WIDTH)) {
+        for (dot, x) in dots.iter_mut().zip(x) {
+            *dot += x * y[j];
+        }
     }
+    dots
 }
 
-/// Subtracts `c` times column `i` from column `j > i`.
-fn subtract(columns: &mut [f64], i: usize, j: usize, n: usize, c: f64) {
-    let (left, right) = columns.split_at_mut(j * n);
-    for (y, x) in right[..n].iter_mut().zip(&left[i * n..][..n]) {
-        *y -= c * x;
+/// Adds the squares of each column.
+fn add_squares(sums: &mut [f64; WIDTH], square: &[f64]) {
+    for row in square.as_chunks::<WIDTH>().0 {
+        for (sum, entry) in sums.iter_mut().zip(row) {
+            *sum += entry * entry;
+        }
     }
 }
 

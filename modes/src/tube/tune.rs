@@ -1,8 +1,8 @@
 //! The length at which a tube's bending mode has a given pitch.
 
-use super::Fineness;
 use crate::analytic::TimoshenkoBeam;
-use crate::fem::CyclicTube;
+use crate::fem::Harmonic;
+use crate::revolution::{Bell, bell};
 use crate::shape::Tube;
 use crate::solve::lowest;
 use crate::{Material, SolveError};
@@ -46,6 +46,9 @@ pub enum TuneError {
         /// How far the best tube is off, in cents.
         cents: f64,
     },
+    /// The profile is none.
+    #[error(transparent)]
+    Profile(#[from] crate::shape::ProfileError),
     /// The eigenproblem was not solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
@@ -63,7 +66,8 @@ const MARGIN: f64 = 1e-3;
 /// Solves take this many steps at most; the secant needs three or four.
 const STEPS: usize = 12;
 
-/// `shape` with the length that tunes it; its own length does not matter.
+/// `shape` with the length that tunes it; its own length does not matter. Elements are no longer
+/// than `max_element_m`.
 ///
 /// A Timoshenko beam gives the first length; then ln f against ln L, nearly a line of slope −2, is
 /// followed by secants of finite-element solves for the one mode.
@@ -72,18 +76,27 @@ const STEPS: usize = 12;
 ///
 /// [`TuneError::OutOfReach`] if no length does, [`TuneError::Solve`] if the solver fails.
 pub fn tune_tube(
-    shape: &Tube,
+    shape: &Bell,
     material: &Material,
-    fineness: Fineness,
+    max_element_m: f64,
     tuning: &TubeTuning,
-) -> Result<Tube, TuneError> {
-    let cut = |length_m: f64| Tube { length_m, ..*shape };
-    let first = predicted_length_m(shape, material, tuning)?;
-    // The grid stays as it is through the search, so that the pitch is a smooth function.
-    let grid = fineness.grid(&cut(first));
+) -> Result<Bell, TuneError> {
+    let cut = |length_m: f64| Bell {
+        tube: Tube {
+            length_m,
+            ..shape.tube
+        },
+        ..*shape
+    };
+    let first = predicted_length_m(&shape.tube, material, tuning)?;
+    // The cells stay as they are through the search, so that the pitch is a smooth function.
+    let cells = cut(first).cells(max_element_m);
     let cents_off = |length_m: f64| -> Result<f64, SolveError> {
-        let pencil = CyclicTube::new(&cut(length_m), grid, material)?.pencil(1);
-        let hz = lowest(&pencil, tuning.partial - 1)?;
+        let meridian = bell(&cut(length_m), cells).meridian;
+        let hz = lowest(
+            &Harmonic::new(&meridian, material, 1)?.pencil,
+            tuning.partial - 1,
+        )?;
         Ok(1200.0 * (hz / tuning.pitch_hz).log2())
     };
     let (mut x, mut slope) = (first.ln(), -2.0 * 1200.0 / std::f64::consts::LN_2);
@@ -153,26 +166,22 @@ mod tests {
     use super::*;
     use crate::TABLE_1;
 
-    const COARSE: Fineness = Fineness {
-        around: 16,
-        max_element_m: 0.02,
-    };
-
-    fn tune(pitch_hz: f64, partial: usize) -> Result<Tube, TuneError> {
+    fn tune(pitch_hz: f64, partial: usize) -> Result<Bell, TuneError> {
         let tuning = TubeTuning {
             pitch_hz,
             partial,
             tolerance_cents: 1.0,
         };
-        tune_tube(&Tube::D5, &TABLE_1[0].material, COARSE, &tuning)
+        tune_tube(&Bell::open(Tube::D5), &TABLE_1[0].material, 0.02, &tuning)
     }
 
     #[test]
     fn the_tuned_tube_has_the_pitch() {
         for (pitch_hz, partial) in [(110.0, 1), (587.33, 1), (2637.0, 1), (880.0, 4)] {
-            let tube = tune(pitch_hz, partial).unwrap();
-            let sector = CyclicTube::new(&tube, COARSE.grid(&tube), &TABLE_1[0].material).unwrap();
-            let hz = lowest(&sector.pencil(1), partial - 1).unwrap();
+            let tuned = tune(pitch_hz, partial).unwrap();
+            let meridian = tuned.wall(0.02).meridian;
+            let harmonic = Harmonic::new(&meridian, &TABLE_1[0].material, 1).unwrap();
+            let hz = lowest(&harmonic.pencil, partial - 1).unwrap();
             assert!(
                 (1200.0 * (hz / pitch_hz).log2()).abs() < 0.05,
                 "{pitch_hz}: {hz}"

@@ -1,0 +1,54 @@
+//! From a solved body to one that is heard: ears, and what takes each mode's energy.
+
+use crate::radiation::{Listener, Transfers, coupling};
+use crate::{Body, ListenerRecipe, LossRecipe, Mode, SolvedBody};
+
+/// Distance between the ears, in m (O'Brien, Cook & Essl 2001, §4).
+const BETWEEN_EARS_M: f64 = 0.2;
+
+/// The listener's ears in the frame of the row, in m: x along it, y away from the player, z up.
+#[must_use]
+pub(super) fn ears_m(recipe: &ListenerRecipe) -> [[f64; 3]; 2] {
+    [-0.5, 0.5].map(|side| [side * BETWEEN_EARS_M, -recipe.distance_m, recipe.above_m])
+}
+
+/// The body of `key` as the listener hears it from its `place` in the row, 0 leftmost to 1.
+pub(super) fn sounding(
+    solved: SolvedBody,
+    (key, pitch_hz): (u8, f64),
+    place: f64,
+    recipe: &ListenerRecipe,
+    losses: &LossRecipe,
+) -> Body {
+    let x_m = recipe.row_m * (place - 0.5);
+    let listener = Listener {
+        ears_m: ears_m(recipe).map(|[x, y, z]| [x - x_m, y, z]),
+    };
+    let transfers = Transfers::new(&solved.surface, &listener);
+    let modes = solved
+        .modes
+        .into_iter()
+        .map(|mode| Mode {
+            hz: mode.hz,
+            coupling: coupling(solved.surface.rectified_area(&mode.motion), mode.hz),
+            ears: transfers.ears(mode.hz, &mode.motion, mode.radiation_per_s),
+            pipe_ears: [[0.0; 2]; 2],
+            radiation_per_s: mode.radiation_per_s as f32,
+            // A resistance R takes R|φ|²/2 of a mode's amplitude per second.
+            support_per_s: (0.5 * losses.support_kg_s * mode.held) as f32,
+            felt_per_s: (0.5 * losses.felt_kg_s * mode.felt) as f32,
+            pipe_per_s: 0.0,
+            residual: mode.residual,
+            label: mode.label,
+            shape: mode.shape,
+        })
+        .collect();
+    Body {
+        key,
+        pitch_hz,
+        length_m: solved.length_m,
+        mass_kg: solved.mass_kg,
+        line: solved.line,
+        modes,
+    }
+}

@@ -1,0 +1,162 @@
+//! Blocks of eight vectors, row by row: what is read once serves eight vectors.
+
+use pulp::{Arch, Simd, WithSimd};
+
+/// Vectors in a panel.
+pub(super) const WIDTH: usize = 8;
+
+/// Entries of the product of two panels.
+const SQUARE: usize = WIDTH * WIDTH;
+
+/// Rows multiplied at once: a piece of two panels stays in the first-level cache.
+const ROWS: usize = 512;
+
+/// One row of a panel in registers: a power of two of them, by the processor's width.
+pub(super) type Row<S, const N: usize> = [<S as Simd>::f64s; N];
+
+/// The rows of a panel, or of several back to back.
+pub(super) fn rows<S: Simd, const N: usize>(panel: &[f64]) -> &[Row<S, N>] {
+    S::as_simd_f64s(panel).0.as_chunks().0
+}
+
+/// As [`rows`].
+pub(super) fn rows_mut<S: Simd, const N: usize>(panel: &mut [f64]) -> &mut [Row<S, N>] {
+    S::as_mut_simd_f64s(panel).0.as_chunks_mut().0
+}
+
+/// Work on panels, written once for every number of registers to a row.
+pub(super) trait Kernel {
+    /// Runs with `N` registers of `simd` to a row.
+    fn run<S: Simd, const N: usize>(self, simd: S);
+}
+
+struct Sized<K>(K);
+
+impl<K: Kernel> WithSimd for Sized<K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        match S::F64_LANES {
+            8 => self.0.run::<S, 1>(simd),
+            4 => self.0.run::<S, 2>(simd),
+            2 => self.0.run::<S, 4>(simd),
+            _ => self.0.run::<S, 8>(simd),
+        }
+    }
+}
+
+/// Runs `kernel` with the widest registers there are.
+pub(super) fn run(kernel: impl Kernel) {
+    Arch::new().dispatch(Sized(kernel));
+}
+
+/// XᵀY of every panel of `x` with the panel `y`: entry (i, j) of the p-th product at (8p + i)·8 + j.
+pub(super) fn inner(x: &[f64], y: &[f64]) -> Vec<f64> {
+    let mut products = vec![0.0; x.len() / y.len() * SQUARE];
+    run(Inner {
+        x,
+        y,
+        products: &mut products,
+    });
+    products
+}
+
+struct Inner<'a> {
+    x: &'a [f64],
+    y: &'a [f64],
+    products: &'a mut [f64],
+}
+
+impl Kernel for Inner<'_> {
+    #[inline(always)]
+    fn run<S: Simd, const N: usize>(self, simd: S) {
+        let pieces = self.y.chunks(ROWS * WIDTH).enumerate();
+        for (piece, y) in pieces {
+            let y = rows::<S, N>(y);
+            let products = self.products.chunks_exact_mut(SQUARE);
+            for (x, product) in self.x.chunks_exact(self.y.len()).zip(products) {
+                let x = &x[piece * ROWS * WIDTH..][..y.len() * WIDTH];
+                // Four rows of the product fill half of sixteen registers of four lanes.
+                for (half, out) in product.chunks_exact_mut(SQUARE / 2).enumerate() {
+                    let out = rows_mut::<S, N>(out);
+                    let mut sums = [out[0], out[1], out[2], out[3]];
+                    for (x, y) in x.as_chunks::<WIDTH>().0.iter().zip(y) {
+                        for i in 0..4 {
+                            let x = simd.splat_f64s(x[4 * half + i]);
+                            for v in 0..N {
+                                sums[i][v] = simd.mul_add_e_f64s(x, y[v], sums[i][v]);
+                            }
+                        }
+                    }
+                    out.copy_from_slice(&sums);
+                }
+            }
+        }
+    }
+}
+
+/// Y ← Y − X C, with C as [`inner`] gives it.
+pub(super) fn subtract_product(y: &mut [f64], x: &[f64], c: &[f64]) {
+    let c: Vec<f64> = c.iter().map(|c| -c).collect();
+    run(AddProduct { y, x, c: &c });
+}
+
+/// Y ← Y + X C, with C as [`inner`] gives it.
+pub(super) fn add_product(y: &mut [f64], x: &[f64], c: &[f64]) {
+    run(AddProduct { y, x, c });
+}
+
+struct AddProduct<'a> {
+    y: &'a mut [f64],
+    x: &'a [f64],
+    c: &'a [f64],
+}
+
+impl Kernel for AddProduct<'_> {
+    #[inline(always)]
+    fn run<S: Simd, const N: usize>(self, simd: S) {
+        let length = self.y.len();
+        for (piece, y) in self.y.chunks_mut(ROWS * WIDTH).enumerate() {
+            let y = rows_mut::<S, N>(y);
+            let factors = self.c.chunks_exact(SQUARE);
+            for (x, c) in self.x.chunks_exact(length).zip(factors) {
+                let x = &x[piece * ROWS * WIDTH..][..y.len() * WIDTH];
+                for (half, c) in c.chunks_exact(SQUARE / 2).enumerate() {
+                    let c = rows::<S, N>(c);
+                    let c = [c[0], c[1], c[2], c[3]];
+                    for (x, y) in x.as_chunks::<WIDTH>().0.iter().zip(&mut *y) {
+                        for i in 0..4 {
+                            let x = simd.splat_f64s(x[4 * half + i]);
+                            for v in 0..N {
+                                y[v] = simd.mul_add_e_f64s(x, c[i][v], y[v]);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Panels from columns of length `n` back to back; the last is filled up with zeros.
+pub(super) fn from_columns(columns: &[f64], n: usize) -> Vec<Vec<f64>> {
+    columns
+        .chunks(n * WIDTH)
+        .map(|columns| {
+            let mut panel = vec![0.0; n * WIDTH];
+            for (c, column) in columns.chunks_exact(n).enumerate() {
+                for (i, value) in column.iter().enumerate() {
+                    panel[i * WIDTH + c] = *value;
+                }
+            }
+            panel
+        })
+        .collect()
+}
+
+/// The panel whose i-th row is the `place[i]`-th of `panel`.
+pub(super) fn reorder(panel: &[f64], place: &[u32]) -> Vec<f64> {
+    let rows = panel.as_chunks::<WIDTH>().0;
+    place.iter().flat_map(|&i| rows[i as usize]).collect()
+}
