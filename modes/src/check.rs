@@ -7,9 +7,11 @@ mod decay;
 mod mesh;
 mod row;
 mod tetrahedra;
+mod vibraphone;
 
 pub use row::Row;
 
+use crate::bar::BarTuneError;
 use crate::factory::BuildError;
 use crate::shape::Tube;
 use crate::solve::SolveError;
@@ -25,6 +27,9 @@ pub enum CheckError {
     /// A tube could not be tuned.
     #[error(transparent)]
     Tune(#[from] TuneError),
+    /// A bar could not be tuned.
+    #[error(transparent)]
+    TuneBar(#[from] BarTuneError),
     /// The factory recipe does not parse.
     #[error(transparent)]
     Recipe(#[from] RecipeError),
@@ -50,11 +55,12 @@ fn aluminium() -> Material {
 type Group = fn() -> Result<Vec<Row>, CheckError>;
 
 /// The groups by name, in the order in which they are told.
-pub const GROUPS: [(&str, Group); 6] = [
+pub const GROUPS: [(&str, Group); 7] = [
     ("bending of a free tube", beam::rows),
     ("the chimes of O'Brien 2002", chimes_2002::rows),
     ("decay rates of O'Brien 2002", decay::rows),
     ("meshes", mesh::rows),
     ("linear tetrahedra", tetrahedra::rows),
+    ("vibraphone bars", vibraphone::rows),
     ("the chimes bank", bank::rows),
 ];

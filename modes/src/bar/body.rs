@@ -1,11 +1,13 @@
 //! Every audible mode of a bar, as a body that can be struck.
 
 use super::BarFineness;
+use super::air::{radiation_per_s, rise_across};
 use super::quarter::{Class, Face, Quarter};
 use crate::radiation::Surface;
 use crate::shape::Bar;
 use crate::solve::{Band, Eigenmode, lowest_of, modes_in_band};
 use crate::{Family, Material, Member, ModeLabel, SolveError, SolvedBody, SolvedMode, StrikeLine};
+use rayon::prelude::*;
 
 /// Samples of the strike line to each half-wave of the mode that has most of them.
 const SAMPLES_TO_HALF_WAVE: usize = 5;
@@ -78,8 +80,11 @@ pub fn bar_partials(
 
 /// The first three bending modes, in Hz: even, odd, even about the middle.
 pub(super) fn bending_hz(quarter: &Quarter) -> Result<[f64; 3], SolveError> {
-    let even = lowest_of(&quarter.pencil(Class::EVEN).pencil, 2)?;
-    let odd = lowest_of(&quarter.pencil(Class::X_ODD).pencil, 1)?;
+    let (even, odd) = rayon::join(
+        || lowest_of(&quarter.pencil(Class::EVEN).pencil, 2),
+        || lowest_of(&quarter.pencil(Class::X_ODD).pencil, 1),
+    );
+    let (even, odd) = (even?, odd?);
     Ok([even[0], odd[0], even[1]])
 }
 
@@ -92,8 +97,7 @@ struct Found {
 
 /// Solves `bar` for every mode of `band`: four quarter models, one for each symmetry.
 ///
-/// The strike line runs over the top from end to end, a tenth of the width beside the middle. The
-/// air is not looked at: `radiation_per_s` is 0.
+/// The strike line runs over the top from end to end, a tenth of the width beside the middle.
 ///
 /// # Errors
 ///
@@ -107,9 +111,14 @@ pub fn bar_modes(
     let grid = fineness.grid(bar);
     let quarter = Quarter::new(bar, grid, material)?;
     let (mut found, mut orthonormality) = (Vec::new(), 0.0f64);
-    for class in Class::ALL {
+    let solve = |class| {
         let constrained = quarter.pencil(class);
-        let solution = modes_in_band(&constrained.pencil, band)?;
+        let solution = modes_in_band(&constrained.pencil, band);
+        (class, constrained, solution)
+    };
+    let solutions: Vec<_> = Class::ALL.into_par_iter().map(solve).collect();
+    for (class, constrained, solution) in solutions {
+        let solution = solution?;
         orthonormality = orthonormality.max(solution.orthonormality);
         for mut mode in solution.modes {
             mode.vector = constrained.expand(&mode.vector);
@@ -157,7 +166,13 @@ pub fn bar_modes(
             motion: motion(&quarter, &faces, *class, &mode.vector),
             held: 4.0 * energy_at(cord_m, CORD_ASIDE * bar.width_m, 0.5),
             felt: 2.0 * energy_at(FELT[0] * bar.length_m, FELT[1] * bar.width_m, 0.0),
-            radiation_per_s: 0.0,
+            radiation_per_s: radiation_per_s(
+                &quarter,
+                bar,
+                (*class, *family),
+                mode.hz,
+                &mode.vector,
+            ),
         }
     });
     Ok(SolvedBody {
@@ -184,17 +199,12 @@ fn family(quarter: &Quarter, bar: &Bar, class: Class, vector: &[f64], along: usi
         return Family::Longitudinal;
     }
     // A beam's sections move as one; those of a plate bend across.
-    const ACROSS: usize = 8;
     let (mut together, mut all) = (0.0, 0.0);
     for i in 0..=2 * along {
         let x_m = 0.5 * bar.length_m * i as f64 / (2 * along) as f64;
-        let heights = (0..ACROSS).map(|j| {
-            let y_m = 0.5 * bar.width_m * (j as f64 + 0.5) / ACROSS as f64;
-            quarter.at(vector, x_m, y_m, 0.5)[2]
-        });
-        let (sum, squares) = heights.fold((0.0, 0.0), |(s, q), u| (s + u, q + u * u));
-        together += sum * sum / ACROSS as f64;
-        all += squares;
+        let rises = rise_across(quarter, bar, vector, x_m);
+        together += rises.iter().sum::<f64>().powi(2) / rises.len() as f64;
+        all += rises.iter().map(|u| u * u).sum::<f64>();
     }
     if z > y && together > 0.5 * all {
         Family::Bending

@@ -28,7 +28,8 @@ fn top_octave(key: u8) -> f64 {
 /// Frequencies of the second and third bending modes as multiples of the first.
 ///
 /// 4 and 10 up to F5, then falling by equal steps a key to 3.5 and 6.5 at F6, as bars of Musser M55
-/// and Ross sets do (wyndorps.de, E_DIY_01); 3.5 and 6.5 above.
+/// and Ross sets do (wyndorps.de, E_DIY_01; their third mode starts from 11 at the bottom, where 10
+/// is what makers name); 3.5 and 6.5 above.
 #[must_use]
 pub fn vibraphone_ratios(key: u8) -> [f64; 2] {
     let top = top_octave(key);

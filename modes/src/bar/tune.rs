@@ -4,6 +4,7 @@ use super::BarFineness;
 use super::beam::beam_hz;
 use super::body::bending_hz;
 use super::quarter::Quarter;
+use crate::mesh::BarGrid;
 use crate::shape::{Bar, Undercut};
 use crate::{Material, SolveError};
 
@@ -91,11 +92,13 @@ const ARCH: [f64; 2] = [0.1, 0.48];
 const EXPONENTS: [f64; 2] = [1.5, 8.0];
 const LENGTHS: [f64; 2] = [0.6, 1.6];
 
-/// The search goes on to this fraction of the tolerance, as long as it gets nearer.
-const MARGIN: f64 = 5e-3;
-
 /// How much wider the tolerance of the upper modes is.
 const UPPER: f64 = 10.0;
+
+/// The search goes on until the pitch and the upper modes are off by these fractions of the
+/// tolerance: on the coarse mesh and on the mesh asked for.
+const COARSE_MARGIN: [f64; 2] = [0.1, 1.0];
+const MARGIN: [f64; 2] = [0.02, 1.0];
 
 /// Largest step in the logarithm of a dimension: the beam's equations are only nearly linear.
 const LARGEST_STEP: f64 = 0.3;
@@ -105,6 +108,9 @@ const BEAM_CENTS: f64 = 0.5;
 
 /// Steps that beams take at most; most need three or four.
 const BEAM_STEPS: usize = 25;
+
+/// Steps in a row without any gain after which beams are given up: the search is in a corner.
+const IDLE_STEPS: usize = 4;
 
 /// Steps that solids take at most; most need three.
 const SOLID_STEPS: usize = 12;
@@ -211,7 +217,7 @@ fn tune_beam(
     };
     let mut x = turn.start();
     let mut cents = cents_off(x)?;
-    let mut best: Option<Beam> = None;
+    let (mut best, mut idle): (Option<Beam>, usize) = (None, 0);
     for _ in 0..BEAM_STEPS {
         let mut slopes = [[0.0; 3]; 3];
         for column in 0..3 {
@@ -224,6 +230,12 @@ fn tune_beam(
         }
         if best.is_none_or(|best| worst(cents) < worst(best.cents)) {
             best = Some(Beam { x, cents, slopes });
+            idle = 0;
+        } else {
+            idle += 1;
+        }
+        if idle == IDLE_STEPS {
+            break;
         }
         if worst(cents) < BEAM_CENTS {
             break;
@@ -247,35 +259,39 @@ fn tune_solid(
     tuning: &BarTuning,
     beam: &Beam,
 ) -> Result<Bar, BarTuneError> {
-    // The grid stays as it is through the search, so that the pitch is a smooth function.
-    let grid = fineness.grid(&turn.bar(stock, beam.x));
-    let cents_off = |x: [f64; 3]| -> Result<[f64; 3], SolveError> {
-        let quarter = Quarter::new(&turn.bar(stock, x), grid, material)?;
-        Ok(cents(bending_hz(&quarter)?, tuning))
-    };
     let (mut x, mut slopes) = (beam.x, beam.slopes);
-    let mut cents = cents_off(x)?;
-    let within = |cents: [f64; 3], tolerance: f64| {
-        cents[0].abs() <= tolerance && cents[1..].iter().all(|c| c.abs() <= UPPER * tolerance)
-    };
-    for _ in 0..SOLID_STEPS {
-        if within(cents, MARGIN * tuning.tolerance_cents) {
-            break;
-        }
-        let Some(step) = solved(&slopes, cents) else {
-            break;
+    let mut cents = [f64::NAN; 3];
+    // Grids stay as they are through the search, so that the pitch is a smooth function. A coarse
+    // one has most of what tells a solid from a beam, and learns the slopes.
+    let grid = fineness.grid(&turn.bar(stock, beam.x));
+    for (grid, margin) in [(coarse(grid), COARSE_MARGIN), (grid, MARGIN)] {
+        let cents_off = |x: [f64; 3]| -> Result<[f64; 3], SolveError> {
+            let quarter = Quarter::new(&turn.bar(stock, x), grid, material)?;
+            Ok(self::cents(bending_hz(&quarter)?, tuning))
         };
-        x = [0, 1, 2].map(|i| x[i] - step[i]);
         cents = cents_off(x)?;
-        // What the straight line did not foresee is what is left.
-        let square: f64 = step.iter().map(|s| s * s).sum();
-        for row in 0..3 {
-            for column in 0..3 {
-                slopes[row][column] -= cents[row] * step[column] / square;
+        for _ in 0..SOLID_STEPS {
+            if within(cents, margin.map(|share| share * tuning.tolerance_cents)) {
+                break;
+            }
+            let Some(step) = solved(&slopes, cents) else {
+                break;
+            };
+            x = [0, 1, 2].map(|i| x[i] - step[i]);
+            cents = cents_off(x)?;
+            // What the straight line did not foresee is what is left.
+            let square: f64 = step.iter().map(|s| s * s).sum();
+            for row in 0..3 {
+                for column in 0..3 {
+                    slopes[row][column] -= cents[row] * step[column] / square;
+                }
             }
         }
     }
-    if within(cents, tuning.tolerance_cents) {
+    if within(
+        cents,
+        [1.0, UPPER].map(|share| share * tuning.tolerance_cents),
+    ) {
         Ok(turn.bar(stock, x))
     } else {
         Err(BarTuneError::NotTuned {
@@ -285,11 +301,25 @@ fn tune_solid(
     }
 }
 
+/// Cells about twice as long and wide.
+fn coarse(grid: BarGrid) -> BarGrid {
+    BarGrid {
+        along: grid.along.div_ceil(2),
+        across: grid.across.div_ceil(2),
+        through: grid.through,
+    }
+}
+
 /// How far three modes are off, in cents.
 fn cents(hz: [f64; 3], tuning: &BarTuning) -> [f64; 3] {
     let [second, third] = tuning.ratios;
     let ratios = [1.0, second, third];
     [0, 1, 2].map(|i| 1200.0 * (hz[i] / (ratios[i] * tuning.pitch_hz)).log2())
+}
+
+/// Whether the pitch is off by no more than the first figure, the upper modes than the second.
+fn within(cents: [f64; 3], [pitch, upper]: [f64; 2]) -> bool {
+    cents[0].abs() <= pitch && cents[1..].iter().all(|c| c.abs() <= upper)
 }
 
 fn worst(cents: [f64; 3]) -> f64 {

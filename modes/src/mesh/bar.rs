@@ -24,6 +24,10 @@ pub enum BarPart {
     Quarter,
 }
 
+fn number(index: usize) -> u32 {
+    u32::try_from(index).expect("meshes have fewer than 2^32 nodes")
+}
+
 /// Twenty-node hexahedra of `bar`, with mid-side nodes on the arch; cells through the thickness
 /// follow each other first, upwards, then cells across, then cells along.
 #[must_use]
@@ -48,8 +52,7 @@ pub fn bar_hex20(bar: &Bar, grid: BarGrid, part: BarPart) -> Mesh {
                 if i % 2 + j % 2 + k % 2 > 1 {
                     continue;
                 }
-                ids[slot([i, j, k])] =
-                    u32::try_from(nodes.len()).expect("meshes have fewer than 2^32 nodes");
+                ids[slot([i, j, k])] = number(nodes.len());
                 let below = 1.0 - k as f64 / (steps[2] - 1) as f64;
                 nodes.push([x_m, y_m, -below * bar.thickness_at_m(x_m)]);
             }
