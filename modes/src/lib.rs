@@ -51,7 +51,7 @@ pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
     ImperfectionRecipe, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe, RecipeError,
-    RecipeFileError, ShapeRecipe, TuningRecipe,
+    RecipeFileError, ResonatorRecipe, ShapeRecipe, TuningRecipe,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;

@@ -2,10 +2,12 @@
 
 mod cylinder;
 mod huygens;
+mod pipe;
 mod surface;
 
 pub use cylinder::cylinder_decay_per_s;
 pub use huygens::{Listener, Transfers};
+pub use pipe::Pipe;
 pub use surface::Surface;
 
 /// Density of air at 20 °C in kg/m³ (O'Brien, Cook & Essl 2001, §3.2).

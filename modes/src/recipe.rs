@@ -33,6 +33,8 @@ pub struct Recipe {
     pub losses: LossRecipe,
     /// What splits the pairs of modes of a body of revolution.
     pub imperfection: Option<ImperfectionRecipe>,
+    /// The tubes under the bodies, if there are any.
+    pub resonator: Option<ResonatorRecipe>,
     /// Where the listener is.
     pub listener: ListenerRecipe,
     /// How finely the bodies are divided.
@@ -79,6 +81,12 @@ pub enum ShapeRecipe {
         /// Where the felt touches, as a share of the length from the top.
         felt_at: f64,
     },
+    /// A bar hollowed from below, its length and section those of a vibraphone's.
+    Bar {
+        /// The second and the third bending mode as multiples of the first; a vibraphone's own
+        /// without.
+        ratios: Option<[f64; 2]>,
+    },
     /// A bowl: its proportions, scaled to each pitch.
     Bowl(Bowl),
 }
@@ -90,6 +98,15 @@ pub struct LossRecipe {
     pub support_kg_s: f64,
     /// Resistance of the damper's felt to motion, in kg/s.
     pub felt_kg_s: f64,
+}
+
+/// A quarter-wave tube under each body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResonatorRecipe {
+    /// Inner radius, in m.
+    pub radius_m: f64,
+    /// Thickness of the layer of air that the body takes along over the mouth, in m.
+    pub layer_m: f64,
 }
 
 /// A small mass on the rim (or the top end).
@@ -133,8 +150,9 @@ impl KeyRange {
 
 impl Recipe {
     /// The recipes that come with the crate: name and text.
-    pub const FACTORY: [(&str, &str); 6] = [
+    pub const FACTORY: [(&str, &str); 7] = [
         ("chimes", include_str!("../../recipes/chimes.toml")),
+        ("vibraphone", include_str!("../../recipes/vibraphone.toml")),
         (
             "tubular-bells",
             include_str!("../../recipes/tubular-bells.toml"),

@@ -1,6 +1,9 @@
 //! One key's body: tuned and solved, by shape.
 
 use super::BuildError;
+use crate::bar::{
+    BarFineness, BarTuning, bar_modes, tune_bar, vibraphone_ratios, vibraphone_stock,
+};
 use crate::fem::Harmonic;
 use crate::revolution::{Bell, Imperfection, Wall, bowl, revolution_modes};
 use crate::shape::{Bowl, Tube};
@@ -18,9 +21,19 @@ pub(super) struct Maker<'a> {
 enum Shape {
     /// A tube, cut for each key.
     Tube(Bell),
+    /// A bar, hollowed for each key to these ratios or to a vibraphone's.
+    Bar(Option<[f64; 2]>),
     /// A body that is solved once, at the size of the lowest key, and scaled to each key.
     Scaled(Box<SolvedBody>),
 }
+
+/// Cells across half a bar's width and through its thickness: with two, bending 3 of a bar is right
+/// to a cent where one leaves four.
+const BAR: BarFineness = BarFineness {
+    max_element_m: 0.0,
+    across: 3,
+    through: 2,
+};
 
 /// Waves around the axis of the mode that carries a bowl's pitch.
 const BOWL_WAVES: usize = 2;
@@ -45,6 +58,7 @@ impl<'a> Maker<'a> {
                 hung_at,
                 felt_at,
             }),
+            ShapeRecipe::Bar { ratios } => Shape::Bar(ratios),
             ShapeRecipe::Bowl(bowl) => Shape::Scaled(Box::new(lowest_bowl(recipe, &bowl)?)),
         };
         let maker = Self { recipe, shape };
@@ -55,6 +69,21 @@ impl<'a> Maker<'a> {
             }
         }
         Ok(maker)
+    }
+
+    /// Mesh and element in words.
+    pub(super) fn mesh(&self) -> String {
+        let longest_m = self.recipe.mesh.max_element_m;
+        match self.shape {
+            Shape::Bar(_) => format!(
+                "20-node hexahedra of a quarter, 2×2×2 points, {} across half the width, {} through, \
+                 at most {longest_m} m along",
+                BAR.across, BAR.through
+            ),
+            _ => format!(
+                "8-node quadrilaterals of the meridian, 2×2 points, at most {longest_m} m long"
+            ),
+        }
     }
 
     pub(super) fn recipe(&self) -> &'a Recipe {
@@ -85,6 +114,21 @@ impl<'a> Maker<'a> {
                 solved(recipe, &tuned.wall(max_element_m))
                     .map_err(|error| unsolved(recipe, key, error))
             }
+            Shape::Bar(ratios) => {
+                let tuning = BarTuning {
+                    pitch_hz: self.pitch_hz(key),
+                    ratios: ratios.unwrap_or_else(|| vibraphone_ratios(key)),
+                    tolerance_cents: recipe.tuning.tolerance_cents,
+                };
+                let fineness = BarFineness {
+                    max_element_m: recipe.mesh.max_element_m,
+                    ..BAR
+                };
+                let bar = tune_bar(&vibraphone_stock(key), &recipe.material, fineness, &tuning)
+                    .map_err(|error| out_of_tune(recipe, key, TuneError::Bar(error)))?;
+                bar_modes(&bar, &recipe.material, fineness, band(recipe))
+                    .map_err(|error| unsolved(recipe, key, error))
+            }
             Shape::Scaled(lowest) => {
                 let factor = self.pitch_hz(recipe.keys.low) / self.pitch_hz(key);
                 Ok(lowest.scaled(factor, recipe.mesh.highest_hz))
@@ -109,18 +153,21 @@ fn unsolved(recipe: &Recipe, key: u8, error: SolveError) -> BuildError {
     }
 }
 
-/// Every mode of `wall` that the recipe asks for.
-fn solved(recipe: &Recipe, wall: &Wall) -> Result<SolvedBody, SolveError> {
-    let band = Band {
+fn band(recipe: &Recipe) -> Band {
+    Band {
         high_hz: recipe.mesh.highest_hz,
         ..Band::AUDIBLE
-    };
+    }
+}
+
+/// Every mode of `wall` that the recipe asks for.
+fn solved(recipe: &Recipe, wall: &Wall) -> Result<SolvedBody, SolveError> {
     let mass_kg = wall.meridian.volume_m3() * recipe.material.density_kg_m3;
     let imperfection = recipe.imperfection.map(|given| Imperfection {
         mass_kg: given.mass_share * mass_kg,
         angle_deg: given.angle_deg,
     });
-    revolution_modes(wall, &recipe.material, band, imperfection)
+    revolution_modes(wall, &recipe.material, band(recipe), imperfection)
 }
 
 /// The bowl of the lowest key: every length of the recipe's, times what its pitch asks for.

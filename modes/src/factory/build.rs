@@ -91,11 +91,8 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
         provenance: Provenance {
             recipe: recipe.text.clone(),
             code: CODE.to_owned(),
-            mesh: format!(
-                "8-node quadrilaterals of the meridian, 2×2 points, at most {} m long",
-                recipe.mesh.max_element_m
-            ),
-            solver: "shift-invert block Lanczos per number of waves around, inertia counts".into(),
+            mesh: maker.mesh(),
+            solver: "shift-invert block Lanczos for each symmetry, inertia counts".into(),
             tolerance_cents: recipe.tuning.tolerance_cents,
             max_residual: greatest(|f| f.residual),
             max_orthonormality_error: greatest(|f| f.orthonormality),
@@ -117,6 +114,7 @@ fn body(maker: &Maker<'_>, key: u8, place: f64) -> Result<Finished, BuildError> 
             place,
             &recipe.listener,
             &recipe.losses,
+            recipe.resonator,
         ),
     })
 }

@@ -1,7 +1,7 @@
 //! From a solved body to one that is heard: ears, and what takes each mode's energy.
 
-use crate::radiation::{Listener, Transfers, coupling};
-use crate::{Body, ListenerRecipe, LossRecipe, Mode, SolvedBody};
+use crate::radiation::{Listener, Pipe, Transfers, coupling};
+use crate::{Body, ListenerRecipe, LossRecipe, Mode, ResonatorRecipe, SolvedBody};
 
 /// Distance between the ears, in m (O'Brien, Cook & Essl 2001, §4).
 const BETWEEN_EARS_M: f64 = 0.2;
@@ -19,28 +19,44 @@ pub(super) fn sounding(
     place: f64,
     recipe: &ListenerRecipe,
     losses: &LossRecipe,
+    resonator: Option<ResonatorRecipe>,
 ) -> Body {
     let x_m = recipe.row_m * (place - 0.5);
     let listener = Listener {
         ears_m: ears_m(recipe).map(|[x, y, z]| [x - x_m, y, z]),
     };
     let transfers = Transfers::new(&solved.surface, &listener);
+    let pipe = resonator.map(|recipe| Pipe {
+        hz: pitch_hz,
+        radius_m: recipe.radius_m,
+        layer_m: recipe.layer_m,
+    });
     let modes = solved
         .modes
         .into_iter()
-        .map(|mode| Mode {
-            hz: mode.hz,
-            coupling: coupling(solved.surface.rectified_area(&mode.motion), mode.hz),
-            ears: transfers.ears(mode.hz, &mode.motion, mode.radiation_per_s),
-            pipe_ears: [[0.0; 2]; 2],
-            radiation_per_s: mode.radiation_per_s as f32,
-            // A resistance R takes R|φ|²/2 of a mode's amplitude per second.
-            support_per_s: (0.5 * losses.support_kg_s * mode.held) as f32,
-            felt_per_s: (0.5 * losses.felt_kg_s * mode.felt) as f32,
-            pipe_per_s: 0.0,
-            residual: mode.residual,
-            label: mode.label,
-            shape: mode.shape,
+        .map(|mode| {
+            let rise = mode
+                .shape
+                .get(mode.shape.len() / 2)
+                .map_or(0.0, |u| f64::from(u[2]));
+            let (pipe_ears, pipe_per_s) = pipe.map_or(([[0.0; 2]; 2], 0.0), |pipe| {
+                let (flow, rate) = pipe.response(mode.hz, rise);
+                (pipe.ears(mode.hz, flow, transfers.distances_m()), rate)
+            });
+            Mode {
+                hz: mode.hz,
+                coupling: coupling(solved.surface.rectified_area(&mode.motion), mode.hz),
+                ears: transfers.ears(mode.hz, &mode.motion, mode.radiation_per_s),
+                pipe_ears,
+                radiation_per_s: mode.radiation_per_s as f32,
+                // A resistance R takes R|φ|²/2 of a mode's amplitude per second.
+                support_per_s: (0.5 * losses.support_kg_s * mode.held) as f32,
+                felt_per_s: (0.5 * losses.felt_kg_s * mode.felt) as f32,
+                pipe_per_s: pipe_per_s as f32,
+                residual: mode.residual,
+                label: mode.label,
+                shape: mode.shape,
+            }
         })
         .collect();
     Body {

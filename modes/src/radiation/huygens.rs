@@ -88,6 +88,12 @@ impl Transfers {
             .collect()
     }
 
+    /// Distance of each ear from the body's middle, in m.
+    #[must_use]
+    pub fn distances_m(&self) -> [f64; 2] {
+        self.distances_m
+    }
+
     /// What the paper's Eq. 10 alone gives at the two ears.
     #[must_use]
     pub fn raw(&self, hz: f64, motion: &[f32]) -> [[f64; 2]; 2] {

@@ -3,11 +3,11 @@
 use super::error::Fault;
 use super::raw::{
     Raw, RawBody, RawDamping, RawImperfection, RawKeys, RawListener, RawMaterial, RawMesh,
-    RawTuning,
+    RawResonator, RawTuning,
 };
 use super::{
-    ImperfectionRecipe, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe, ShapeRecipe,
-    TuningRecipe,
+    ImperfectionRecipe, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe, ResonatorRecipe,
+    ShapeRecipe, TuningRecipe,
 };
 use crate::shape::Bowl;
 use crate::{Damping, Material, MaterialError, NamedMaterial, Rayleigh};
@@ -46,6 +46,7 @@ impl Raw {
                 .as_ref()
                 .map(check_imperfection)
                 .transpose()?,
+            resonator: self.resonator.as_ref().map(check_resonator).transpose()?,
             listener: check_listener(&self.listener)?,
             mesh: check_mesh(&self.mesh)?,
             text: text.to_owned(),
@@ -134,18 +135,33 @@ fn check_body(body: &RawBody) -> Result<ShapeRecipe, Fault> {
         ("body.base_wall_m", body.base_wall_m),
         ("body.rim_wall_m", body.rim_wall_m),
     ];
+    let bar = [
+        ("body.second_ratio", body.second_ratio),
+        ("body.third_ratio", body.third_ratio),
+    ];
     match body.shape.as_str() {
         "tube" => {
             none_of(&bowl, "left out: a tube has none")?;
+            none_of(&bar, "left out: a tube has none")?;
             check_tube(body)
         }
         "bowl" => {
             none_of(&tube, "left out: a bowl has none")?;
+            none_of(&bar, "left out: a bowl has none")?;
             check_bowl(&bowl)
+        }
+        "bar" => {
+            none_of(&tube, "left out: a bar has none")?;
+            none_of(&bowl, "left out: a bar has none")?;
+            check_bar(body)
         }
         _ => {
             let value = format!("{:?}", body.shape);
-            Err(Fault::field("body.shape", value, "\"tube\" or \"bowl\""))
+            Err(Fault::field(
+                "body.shape",
+                value,
+                "\"tube\", \"bar\" or \"bowl\"",
+            ))
         }
     }
 }
@@ -179,6 +195,26 @@ fn check_tube(body: &RawBody) -> Result<ShapeRecipe, Fault> {
         // The node of a free beam's first mode, where a chime hangs.
         hung_at: within("body.hung_at", body.hung_at.unwrap_or(0.2242), 0.0..=1.0)?,
         felt_at: within("body.felt_at", body.felt_at.unwrap_or(0.03), 0.0..=1.0)?,
+    })
+}
+
+fn check_bar(body: &RawBody) -> Result<ShapeRecipe, Fault> {
+    let ratios = match (body.second_ratio, body.third_ratio) {
+        (None, None) => None,
+        (second, third) => {
+            let second = given("body.second_ratio", second)?;
+            let third = given("body.third_ratio", third)?;
+            let second = within("body.second_ratio", second, 2.0..=6.0)?;
+            Some([second, within("body.third_ratio", third, 4.0..=16.0)?])
+        }
+    };
+    Ok(ShapeRecipe::Bar { ratios })
+}
+
+fn check_resonator(raw: &RawResonator) -> Result<ResonatorRecipe, Fault> {
+    Ok(ResonatorRecipe {
+        radius_m: within("resonator.radius_m", raw.radius_m, 0.001..=0.2)?,
+        layer_m: within("resonator.layer_m", raw.layer_m, 0.0..=0.1)?,
     })
 }
 

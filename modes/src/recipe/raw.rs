@@ -14,6 +14,7 @@ pub(super) struct Raw {
     pub(super) material: RawMaterial,
     pub(super) damping: Option<RawDamping>,
     pub(super) imperfection: Option<RawImperfection>,
+    pub(super) resonator: Option<RawResonator>,
     #[serde(default)]
     pub(super) listener: RawListener,
     pub(super) mesh: RawMesh,
@@ -45,6 +46,8 @@ pub(super) struct RawBody {
     pub(super) plug_m: Option<f64>,
     pub(super) hung_at: Option<f64>,
     pub(super) felt_at: Option<f64>,
+    pub(super) second_ratio: Option<f64>,
+    pub(super) third_ratio: Option<f64>,
     pub(super) rim_radius_m: Option<f64>,
     pub(super) base_radius_m: Option<f64>,
     pub(super) height_m: Option<f64>,
@@ -58,6 +61,13 @@ pub(super) struct RawBody {
 pub(super) struct RawImperfection {
     pub(super) mass_share: f64,
     pub(super) angle_deg: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RawResonator {
+    pub(super) radius_m: f64,
+    pub(super) layer_m: f64,
 }
 
 #[derive(Deserialize)]

@@ -164,7 +164,7 @@ const FIELDS: &[(&str, &str, &str)] = &[
     (
         "shape = \"tube\"",
         "shape = \"bell\"",
-        "body.shape is \"bell\", but must be \"tube\" or \"bowl\"",
+        "body.shape is \"bell\", but must be \"tube\", \"bar\" or \"bowl\"",
     ),
     (
         "outer_radius_m = 0.0125",

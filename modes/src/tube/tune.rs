@@ -46,6 +46,9 @@ pub enum TuneError {
         /// How far the best tube is off, in cents.
         cents: f64,
     },
+    /// A bar has not the partials.
+    #[error(transparent)]
+    Bar(#[from] crate::bar::BarTuneError),
     /// The profile is none.
     #[error(transparent)]
     Profile(#[from] crate::shape::ProfileError),

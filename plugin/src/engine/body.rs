@@ -42,6 +42,12 @@ struct Reached {
     normal: Vec<f32>,
 }
 
+/// What a mode sends to the ears, by itself and through the resonator below it.
+pub(crate) fn heard(mode: &modes::Mode) -> Ears {
+    let add = |a: [f32; 2], b: [f32; 2]| [a[0] + b[0], a[1] + b[1]];
+    [0, 1].map(|ear| add(mode.ears[ear], mode.pipe_ears[ear]))
+}
+
 /// Size of the sound at the ear that gets more of it.
 fn loudest(ears: &Ears) -> f64 {
     let size = |ear: &[f32; 2]| f64::from(ear[0]).hypot(f64::from(ear[1]));
@@ -54,7 +60,7 @@ fn reached(body: &modes::Body) -> Vec<Reached> {
     let sound = |mode: &&modes::Mode| {
         mode.hz.is_finite()
             && mode.hz > 0.0
-            && loudest(&mode.ears).is_finite()
+            && loudest(&heard(mode)).is_finite()
             && mode.shape.len() == points
     };
     let mut all: Vec<(Reached, f64)> = body
@@ -71,11 +77,16 @@ fn reached(body: &modes::Body) -> Vec<Reached> {
                 })
                 .collect();
             let most = normal.iter().fold(0.0, |m: f32, v| m.max(v.abs()));
-            let reach = f64::from(most) * loudest(&mode.ears) / mode.hz;
+            let reach = f64::from(most) * loudest(&heard(mode)) / mode.hz;
             let mode = Reached {
                 hz: mode.hz,
-                ears: mode.ears,
-                air: [mode.radiation_per_s, mode.support_per_s, mode.felt_per_s].map(f64::from),
+                ears: heard(mode),
+                air: [
+                    mode.radiation_per_s + mode.pipe_per_s,
+                    mode.support_per_s,
+                    mode.felt_per_s,
+                ]
+                .map(f64::from),
                 normal,
             };
             (mode, reach)

@@ -1,5 +1,6 @@
 //! How loud: from Pa to full scale, key by key, once for an instrument.
 
+use super::body::heard;
 use super::mallet::Mallet;
 use super::touch::Touch;
 use super::{Losses, Settings};
@@ -81,8 +82,10 @@ fn struck(own: &Damping, body: &Body, velocity: f32) -> Vec<Ringing> {
             let omega = TAU * mode.hz;
             let inside = 0.5
                 * (drain.alpha1_s * omega * omega + drain.loss_factor * omega + drain.alpha2_per_s);
-            let outside = f64::from(mode.radiation_per_s) + f64::from(mode.support_per_s);
-            let Motion::Ringing { hz, decay_per_s } = Motion::of(mode.hz, inside + outside) else {
+            let outside = mode.radiation_per_s + mode.pipe_per_s + mode.support_per_s;
+            let Motion::Ringing { hz, decay_per_s } =
+                Motion::of(mode.hz, inside + f64::from(outside))
+            else {
                 return None;
             };
             let normal: f64 = (0..Stencil::POINTS)
@@ -97,7 +100,7 @@ fn struck(own: &Damping, body: &Body, velocity: f32) -> Vec<Ringing> {
             Some(Ringing {
                 hz,
                 decay_per_s,
-                ears: mode.ears.map(|ear| ear.map(|x| amplitude * f64::from(x))),
+                ears: heard(mode).map(|ear| ear.map(|x| amplitude * f64::from(x))),
             })
         })
         .collect()
