@@ -107,3 +107,13 @@ pub struct Mode {
     /// Mass-normalised displacement φ at each point of the strike line, in kg^(−1/2).
     pub shape: Vec<[f32; 3]>,
 }
+
+impl Mode {
+    /// Amplitude decay rate in 1/s of the mode as built, felt off: what a material of this `damping`,
+    /// radiation, supports and resonator take.
+    #[must_use]
+    pub fn decay_per_s(&self, damping: &Damping) -> f64 {
+        let outside = self.radiation_per_s + self.support_per_s + self.pipe_per_s;
+        damping.decay_per_s(self.hz) + f64::from(outside)
+    }
+}

@@ -5,17 +5,20 @@
 mod support;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use idiophone::engine::{Engine, Settings};
-use modes::{Bank, Rayleigh};
+use idiophone::engine::{Engine, Losses, Settings};
+use modes::{Bank, Damping, Rayleigh};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use support::chimes;
 
 const RATE_HZ: f64 = 48_000.0;
 const BLOCK: usize = 64;
-const UNDAMPED: Rayleigh = Rayleigh {
-    alpha1_s: 0.0,
-    alpha2_per_s: 0.0,
+const UNDAMPED: Damping = Damping {
+    rayleigh: Rayleigh {
+        alpha1_s: 0.0,
+        alpha2_per_s: 0.0,
+    },
+    loss_factor: 0.0,
 };
 
 /// `bodies` bodies of `modes` modes that ring for ever.
@@ -38,7 +41,7 @@ fn bank(bodies: u8, modes: usize) -> Bank {
 fn ringing(bank: &Bank) -> Engine {
     let mut engine = Engine::new(bank, RATE_HZ);
     engine.set(&Settings {
-        damping: UNDAMPED,
+        losses: Losses::only(UNDAMPED),
         ..Settings::default()
     });
     engine.reset();
@@ -109,9 +112,15 @@ fn oscillators(c: &mut Criterion) {
             b.iter(|| {
                 alpha2_per_s = 1e-6 - alpha2_per_s;
                 engine.set(&Settings {
-                    damping: Rayleigh {
-                        alpha2_per_s,
-                        ..UNDAMPED
+                    losses: Losses {
+                        added: Damping {
+                            rayleigh: Rayleigh {
+                                alpha2_per_s,
+                                ..UNDAMPED.rayleigh
+                            },
+                            loss_factor: 0.0,
+                        },
+                        ..Losses::AS_BUILT
                     },
                     ..Settings::default()
                 });

@@ -142,6 +142,7 @@ fn end<P: Plugin>(note: Note, now: u32, context: &mut impl ProcessContext<P>) {
 mod tests {
     use super::*;
     use crate::Idiophone;
+    use crate::stage::Task;
     use nice_plug::context::process::{SendEventError, Transport};
     use nice_plug::midi::{Channel, VoiceID};
     use nice_plug::prelude::PluginApi;
@@ -170,7 +171,7 @@ mod tests {
             PluginApi::Clap
         }
         fn execute_background(&self, _: Task) {}
-        fn execute_gui(&self, (): ()) {}
+        fn execute_gui(&self, _: Task) {}
         fn transport(&self) -> &Transport {
             &self.transport
         }

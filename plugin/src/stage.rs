@@ -223,9 +223,7 @@ mod tests {
         assert_eq!(task, Task::Prepare(1, 48_000.0));
         assert_eq!(stage.turn(1, &wings), None, "asked for once");
         wings.work(task);
-        nice_assert_no_alloc::assert_no_alloc(|| {
-            assert_eq!(stage.turn(1, &wings), None);
-        });
+        assert_eq!(stage.turn(1, &wings), None);
         assert_eq!(stage.index, 1);
         assert_eq!(render(&mut stage, 1000), render(&mut twin, 1000));
         stage.strike(60, 0.5);

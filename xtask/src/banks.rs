@@ -81,7 +81,11 @@ pub(crate) fn matrices(name: &str, key: u8) -> Result<Pencil> {
     let ShapeRecipe::Tube {
         outer_radius_m,
         wall_m,
-    } = recipe.shape;
+        ..
+    } = recipe.shape
+    else {
+        bail!("{name}: only the matrices of tubes can be exported; allowed: chimes");
+    };
     let tube = Tube {
         outer_radius_m,
         wall_m,

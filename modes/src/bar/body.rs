@@ -162,7 +162,7 @@ pub fn bar_modes(
                 index,
                 member: Member::Single,
             },
-            shape: along_line(&quarter, bar, *class, &mode.vector, samples),
+            shape: along_line(&quarter, bar, &mode.vector, samples),
             motion: motion(&quarter, &faces, *class, &mode.vector),
             held: 4.0 * energy_at(cord_m, CORD_ASIDE * bar.width_m, 0.5),
             felt: 2.0 * energy_at(FELT[0] * bar.length_m, FELT[1] * bar.width_m, 0.0),
@@ -254,36 +254,24 @@ fn node_m(quarter: &Quarter, bar: &Bar, found: &[Found]) -> f64 {
     0.5 * (inside + outside)
 }
 
-/// Distance of sample `i` of the strike line from the middle, in m, negative in the first half.
+/// Distance of sample `i` of the strike line from the middle, in m.
 fn sample_m(bar: &Bar, i: usize, samples: usize) -> f64 {
-    let steps = samples - 1;
-    // Whole numbers of half steps from the middle: mirror images to the bit.
-    0.5 * bar.length_m * (2.0 * i as f64 - steps as f64) / steps as f64
+    0.5 * bar.length_m * i as f64 / (samples - 1) as f64
 }
 
-/// φ at each sample; the first half of the line is the image of the second.
-fn along_line(
-    quarter: &Quarter,
-    bar: &Bar,
-    class: Class,
-    vector: &[f64],
-    samples: usize,
-) -> Vec<[f32; 3]> {
-    let image = class.mirrored(0);
+/// φ at each sample.
+fn along_line(quarter: &Quarter, bar: &Bar, vector: &[f64], samples: usize) -> Vec<[f32; 3]> {
     (0..samples)
         .map(|i| {
             let x_m = sample_m(bar, i, samples);
-            let u = quarter.at(vector, x_m.abs(), STRUCK_ASIDE * bar.width_m, 1.0);
+            let u = quarter.at(vector, x_m, STRUCK_ASIDE * bar.width_m, 1.0);
             // Adding 0 turns −0 to 0.
-            [0, 1, 2].map(|axis| {
-                let sign = if x_m < 0.0 { image[axis] } else { 1.0 };
-                (sign * u[axis]) as f32 + 0.0
-            })
+            u.map(|u| u as f32 + 0.0)
         })
         .collect()
 }
 
-/// Points and normals of the top, from the end at negative x to the other.
+/// Points and normals of the top, from the middle, where bars are struck, to an end.
 fn strike_line(bar: &Bar, samples: usize) -> StrikeLine {
     StrikeLine {
         points_m: (0..samples)

@@ -35,10 +35,7 @@ pub(super) fn sounding(
         .modes
         .into_iter()
         .map(|mode| {
-            let rise = mode
-                .shape
-                .get(mode.shape.len() / 2)
-                .map_or(0.0, |u| f64::from(u[2]));
+            let rise = mode.shape.first().map_or(0.0, |u| f64::from(u[2]));
             let (pipe_ears, pipe_per_s) = pipe.map_or(([[0.0; 2]; 2], 0.0), |pipe| {
                 let (flow, rate) = pipe.response(mode.hz, rise);
                 (pipe.ears(mode.hz, flow, transfers.distances_m()), rate)

@@ -163,7 +163,7 @@ mod tests {
     #[test]
     fn the_a_curve_is_that_of_the_standard() {
         for (hz, db) in [
-            (31.5, -39.4),
+            (31.623, -39.4),
             (100.0, -19.1),
             (1000.0, 0.0),
             (2500.0, 1.3),

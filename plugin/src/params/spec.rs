@@ -147,14 +147,14 @@ pub const OWN_DAMPING: Spec = Spec {
 pub const LOSS_FACTOR: Spec = Spec {
     id: "tanphi",
     name: "Loss factor",
-    unit: "1",
+    unit: "tan",
     min: *range::LOSS_FACTOR.start() as f32,
     max: *range::LOSS_FACTOR.end() as f32,
     default: NORMAL.losses.added.loss_factor as f32,
     tooltip: "Adds internal friction (tan phi) that takes the same share of every swing: 1e-4 is bell \
               metal, 1e-3 hard plastic, 1e-2 wood. Changes what is already ringing.",
     skew: 0.25,
-    text: Text::Number,
+    text: Text::Tangent,
 };
 
 /// Factor on what radiation takes.

@@ -15,8 +15,8 @@ pub(crate) enum Text {
     PerSecond,
     /// `1.00 x`
     Factor,
-    /// `2.00e-4`
-    Number,
+    /// `2.00e-4 tan`
+    Tangent,
     /// The title of a factory instrument.
     Instrument,
     /// One of two words.
@@ -53,9 +53,10 @@ impl Text {
             Self::Seconds => format!("{value:.2e} s"),
             Self::PerSecond if value < 0.9995 => format!("{value:.3} 1/s"),
             Self::PerSecond => format!("{} 1/s", three_digits(value)),
-            Self::Factor => format!("{rounded:.2} x"),
-            Self::Number if value == 0.0 => "0".into(),
-            Self::Number => format!("{value:.2e}"),
+            Self::Factor if value < 0.995 => format!("{value:.4} x"),
+            Self::Factor => format!("{} x", three_digits(value)),
+            Self::Tangent if value == 0.0 => "0 tan".into(),
+            Self::Tangent => format!("{value:.2e} tan"),
             Self::Instrument => crate::factory::title(value).into(),
             Self::Switch { off, on } => if value < 0.5 { off } else { on }.into(),
         }
@@ -77,7 +78,8 @@ impl Text {
             ],
             Self::PerSecond => &[("/s", 1.0), ("1/s", 1.0)],
             Self::Factor => &[("x", 1.0)],
-            Self::Number | Self::Instrument | Self::Switch { .. } => &[],
+            Self::Tangent => &[("tan", 1.0)],
+            Self::Instrument | Self::Switch { .. } => &[],
         }
     }
 

@@ -1,8 +1,8 @@
 //! The audio thread: no allocation, no cost of silence, nothing but finite sound.
 
 use crate::support::{Random, chimes};
-use idiophone::engine::{Engine, OUTPUT_BOUND, Settings};
-use modes::Rayleigh;
+use idiophone::engine::{Engine, Losses, OUTPUT_BOUND, Settings};
+use modes::{Damping, Rayleigh};
 use nice_assert_no_alloc::assert_no_alloc;
 
 /// With the feature, the plug-in brings this allocator along.
@@ -22,9 +22,15 @@ fn playing_allocates_nothing() {
                 engine.strike(key, 0.5);
             }
             engine.set(&Settings {
-                damping: Rayleigh {
-                    alpha1_s: 1e-7 * f64::from(round),
-                    alpha2_per_s: 0.0,
+                losses: Losses {
+                    added: Damping {
+                        rayleigh: Rayleigh {
+                            alpha1_s: 1e-7 * f64::from(round),
+                            alpha2_per_s: 0.0,
+                        },
+                        loss_factor: 0.0,
+                    },
+                    ..Losses::AS_BUILT
                 },
                 note_off_damps: round % 2 == 0,
                 ..Settings::default()
@@ -89,9 +95,15 @@ fn anything_at_all_leaves_the_output_finite_and_bounded() {
                     position_scatter: wild(&mut random, 1.0),
                     hardness_pa: wild(&mut random, 1e11),
                     velocity_range_db: wild(&mut random, 60.0),
-                    damping: Rayleigh {
-                        alpha1_s: wild(&mut random, 2e-5),
-                        alpha2_per_s: wild(&mut random, 100.0),
+                    losses: Losses {
+                        added: Damping {
+                            rayleigh: Rayleigh {
+                                alpha1_s: wild(&mut random, 2e-5),
+                                alpha2_per_s: wild(&mut random, 100.0),
+                            },
+                            loss_factor: 0.0,
+                        },
+                        ..Losses::AS_BUILT
                     },
                     note_off_damps: random.below(2) == 0,
                     width: wild(&mut random, 1.0),

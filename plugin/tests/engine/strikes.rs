@@ -1,8 +1,8 @@
 //! Where and how hard a body is struck is heard, and strikes add up.
 
 use crate::support::{Random, beam_shape, chimes, db, expected, fit, left};
-use idiophone::engine::{Engine, Settings};
-use modes::Rayleigh;
+use idiophone::engine::{Engine, Losses, Settings};
+use modes::{Damping, Rayleigh};
 
 const RATE_HZ: f64 = 48_000.0;
 
@@ -159,9 +159,15 @@ fn song(keys: &[u8], samples: usize) -> Vec<(usize, Event)> {
                     strike_position: random.unit(),
                     position_scatter: random.unit(),
                     hardness_pa: 1e6 * 1e5f64.powf(random.unit()),
-                    damping: Rayleigh {
-                        alpha1_s: 1e-6 * random.unit(),
-                        alpha2_per_s: 5.0 * random.unit(),
+                    losses: Losses {
+                        added: Damping {
+                            rayleigh: Rayleigh {
+                                alpha1_s: 1e-6 * random.unit(),
+                                alpha2_per_s: 5.0 * random.unit(),
+                            },
+                            loss_factor: 0.0,
+                        },
+                        ..Losses::AS_BUILT
                     },
                     note_off_damps: random.below(2) == 0,
                     width: random.unit(),

@@ -2,7 +2,8 @@
 
 use idiophone::engine::Engine;
 use modes::{
-    Bank, Body, Family, Material, Member, Mode, ModeLabel, Motion, Provenance, Rayleigh, StrikeLine,
+    Bank, Body, Damping, Family, Material, Member, Mode, ModeLabel, Motion, Provenance, Rayleigh,
+    StrikeLine,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -43,6 +44,16 @@ pub(crate) fn chime(key: u8, hz: f64) -> Body {
             Mode {
                 hz,
                 coupling: TAU * hz * height * 0.6 * 4.0 * 0.0125 * length_m,
+                // In phase with the displacement, the same at both ears.
+                ears: [[
+                    (TAU * hz * height * 0.6 * 4.0 * 0.0125 * length_m) as f32,
+                    0.0,
+                ]; 2],
+                pipe_ears: [[0.0; 2]; 2],
+                radiation_per_s: 0.0,
+                support_per_s: 0.0,
+                felt_per_s: 0.0,
+                pipe_per_s: 0.0,
                 residual: 0.0,
                 label: ModeLabel {
                     family: Family::Bending,
@@ -84,10 +95,15 @@ pub(crate) fn chimes(keys: impl IntoIterator<Item = u8>) -> Bank {
     Bank {
         name: "test chimes".into(),
         material: Material::from_young(70e9, 0.33, 2700.0).expect("aluminium is possible"),
-        damping: Rayleigh {
-            alpha1_s: 1e-7,
-            alpha2_per_s: 0.0,
+        title: "Test chimes".into(),
+        damping: Damping {
+            rayleigh: Rayleigh {
+                alpha1_s: 1e-7,
+                alpha2_per_s: 0.0,
+            },
+            loss_factor: 0.0,
         },
+        ears_m: [[-0.1, -1.0, 0.0], [0.1, -1.0, 0.0]],
         provenance: Provenance::default(),
         bodies: keys
             .into_iter()
@@ -196,14 +212,17 @@ fn solve(matrix: &mut [f64], right: &mut [f64]) {
     }
 }
 
-/// Frequencies in Hz and decay rates in 1/s that the modes of `body` must have (O'Brien 2002, Eq. 9).
-pub(crate) fn expected(body: &Body, damping: Rayleigh) -> Vec<(f64, f64)> {
+/// Frequencies in Hz and decay rates in 1/s that the modes of `body` must have (O'Brien 2002, Eq. 9;
+/// van den Doel & Pai 1998, Eq. 12).
+pub(crate) fn expected(body: &Body, damping: Damping) -> Vec<(f64, f64)> {
     body.modes
         .iter()
-        .map(|mode| match damping.motion(mode.hz) {
-            Motion::Ringing { hz, decay_per_s } => (hz, decay_per_s),
-            Motion::Overdamped => panic!("chimes ring"),
-        })
+        .map(
+            |mode| match Motion::of(mode.hz, damping.decay_per_s(mode.hz)) {
+                Motion::Ringing { hz, decay_per_s } => (hz, decay_per_s),
+                Motion::Overdamped => panic!("chimes ring"),
+            },
+        )
         .collect()
 }
 

@@ -1,7 +1,7 @@
 //! What sounds beside what the bank says.
 
 use idiophone_tests::{Fit, Partial, fit, plugin, strike};
-use modes::{Motion, Rayleigh};
+use modes::{Mode, Motion};
 use xtask::settings;
 
 const KEY: u8 = 74;
@@ -13,13 +13,13 @@ const WINDOW_S: f64 = 0.4;
 const FAINT: f64 = 3.2e-5;
 
 /// The partials of the key; those are measured that no other overlaps.
-fn expected(damping: Rayleigh) -> Vec<Partial> {
-    let bank = idiophone::factory::chimes();
+fn expected(decay_per_s: impl Fn(&Mode) -> f64) -> Vec<Partial> {
+    let bank = idiophone::factory::bank(0);
     let body = bank.bodies.iter().find(|body| body.key == KEY).unwrap();
     let mut motions: Vec<_> = body
         .modes
         .iter()
-        .filter_map(|mode| match damping.motion(mode.hz) {
+        .filter_map(|mode| match Motion::of(mode.hz, decay_per_s(mode)) {
             Motion::Ringing { hz, decay_per_s } => Some((hz, decay_per_s)),
             Motion::Overdamped => None,
         })
@@ -59,8 +59,8 @@ fn strongest(fit: &Fit) -> f64 {
 }
 
 /// Every partial that can be told apart is where the bank says; the sum of all explains the sound.
-fn assert_partials(rate_hz: f64, damping: Rayleigh, settings: &[&str]) -> Fit {
-    let expected = expected(damping);
+fn assert_partials(rate_hz: f64, decay_per_s: impl Fn(&Mode) -> f64, settings: &[&str]) -> Fit {
+    let expected = expected(decay_per_s);
     let found = fit(&rendered(rate_hz, settings), rate_hz, &expected);
     let most = strongest(&found);
     let (mut cents, mut decay, mut count) = (0.0f64, 0.0f64, 0);
@@ -86,9 +86,15 @@ fn assert_partials(rate_hz: f64, damping: Rayleigh, settings: &[&str]) -> Fit {
 
 #[test]
 fn partials_are_the_bank_s_at_every_rate() {
-    let damping = idiophone::factory::chimes().damping;
+    let damping = idiophone::factory::bank(0).damping;
     let levels: Vec<_> = [44_100.0, 48_000.0, 96_000.0, 192_000.0]
-        .map(|rate_hz| strongest(&assert_partials(rate_hz, damping, &[])))
+        .map(|rate_hz| {
+            strongest(&assert_partials(
+                rate_hz,
+                |mode| mode.decay_per_s(&damping),
+                &[],
+            ))
+        })
         .into();
     for level in &levels {
         let db = 20.0 * (level / levels[0]).log10();
@@ -99,9 +105,18 @@ fn partials_are_the_bank_s_at_every_rate() {
 
 #[test]
 fn partials_follow_the_damping() {
-    let damping = Rayleigh {
-        alpha1_s: 5e-8,
-        alpha2_per_s: 3.0,
+    let rate_per_s = |mode: &Mode| {
+        let omega = std::f64::consts::TAU * mode.hz;
+        let added = 0.5 * (5e-8 * omega * omega + 3.0) + 0.5 * 1e-4 * omega;
+        added + 2.0 * f64::from(mode.radiation_per_s) + 0.5 * f64::from(mode.support_per_s)
     };
-    assert_partials(48_000.0, damping, &["Alpha 1=5e-8 s", "Alpha 2=3 1/s"]);
+    let settings = [
+        "Own damping=0 x",
+        "Alpha 1=5e-8 s",
+        "Alpha 2=3 1/s",
+        "Loss factor=1e-4",
+        "Radiation damping=2 x",
+        "Supports=0.5 x",
+    ];
+    assert_partials(48_000.0, rate_per_s, &settings);
 }

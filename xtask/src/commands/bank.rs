@@ -4,7 +4,7 @@ use crate::banks;
 use crate::table::Table;
 use anyhow::Result;
 use clap::Args;
-use modes::{Body, Mode, Rayleigh, t60_s};
+use modes::{Body, Damping, Mode, t60_s};
 use serde::Serialize;
 use std::path::Path;
 
@@ -26,7 +26,7 @@ pub struct Bank {
 struct BankJson {
     name: String,
     material: modes::Material,
-    damping: Rayleigh,
+    damping: Damping,
     keys: Vec<KeyJson>,
 }
 
@@ -36,7 +36,7 @@ struct KeyJson {
     pitch_hz: f64,
     length_m: f64,
     mass_kg: f64,
-    damping: Rayleigh,
+    damping: Damping,
     modes: Vec<ModeJson>,
 }
 
@@ -68,8 +68,8 @@ impl Bank {
     fn text(&self, bank: &modes::Bank) -> Result<String> {
         let body = self.key.map(|key| banks::body(bank, key)).transpose()?;
         match (body, self.json) {
-            (Some(body), true) => json(&KeyJson::new(body, bank.damping)),
-            (Some(body), false) => Ok(modes_table(body, bank.damping)),
+            (Some(body), true) => json(&KeyJson::new(body, &bank.damping)),
+            (Some(body), false) => Ok(modes_table(body, &bank.damping)),
             (None, true) => json(&BankJson::new(bank)),
             (None, false) => Ok(keys_table(bank)),
         }
@@ -78,7 +78,7 @@ impl Bank {
 
 impl BankJson {
     fn new(bank: &modes::Bank) -> Self {
-        let key = |body| KeyJson::new(body, bank.damping);
+        let key = |body| KeyJson::new(body, &bank.damping);
         Self {
             name: bank.name.clone(),
             material: bank.material,
@@ -89,13 +89,13 @@ impl BankJson {
 }
 
 impl KeyJson {
-    fn new(body: &Body, damping: Rayleigh) -> Self {
+    fn new(body: &Body, damping: &Damping) -> Self {
         Self {
             key: body.key,
             pitch_hz: body.pitch_hz,
             length_m: body.length_m,
             mass_kg: body.mass_kg,
-            damping,
+            damping: *damping,
             modes: body
                 .modes
                 .iter()
@@ -106,8 +106,8 @@ impl KeyJson {
 }
 
 impl ModeJson {
-    fn new(mode: &Mode, damping: Rayleigh) -> Self {
-        let decay_per_s = damping.decay_per_s(mode.hz);
+    fn new(mode: &Mode, damping: &Damping) -> Self {
+        let decay_per_s = mode.decay_per_s(damping);
         Self {
             hz: mode.hz,
             decay_per_s,
@@ -124,7 +124,7 @@ fn json(value: &impl Serialize) -> Result<String> {
 }
 
 fn keys_table(bank: &modes::Bank) -> String {
-    let mut table = Table::new(["key", "note", "Hz", "mm", "g", "modes", "T60 of pitch s"]);
+    let mut table = Table::new(["key", "note", "Hz", "mm", "g", "modes", "longest T60 s"]);
     for body in &bank.bodies {
         table.push([
             body.key.to_string(),
@@ -133,13 +133,20 @@ fn keys_table(bank: &modes::Bank) -> String {
             format!("{:.2}", 1e3 * body.length_m),
             format!("{:.1}", 1e3 * body.mass_kg),
             body.modes.len().to_string(),
-            format!("{:.2}", t60_s(bank.damping.decay_per_s(body.pitch_hz))),
+            longest_t60(body, &bank.damping),
         ]);
     }
     table.text(false)
 }
 
-fn modes_table(body: &Body, damping: Rayleigh) -> String {
+/// T60 in s of the mode that rings longest.
+fn longest_t60(body: &Body, damping: &Damping) -> String {
+    let rates = body.modes.iter().map(|mode| mode.decay_per_s(damping));
+    let least = rates.fold(f64::INFINITY, f64::min);
+    format!("{:.2}", t60_s(least))
+}
+
+fn modes_table(body: &Body, damping: &Damping) -> String {
     let mut table = Table::new(["mode", "Hz", "decay 1/s", "T60 s", "coupling", "residual"]);
     for mode in &body.modes {
         let mode = ModeJson::new(mode, damping);
@@ -179,6 +186,12 @@ mod tests {
         let mode = Mode {
             hz: 587.33,
             coupling: 2.0,
+            ears: [[0.0; 2]; 2],
+            pipe_ears: [[0.0; 2]; 2],
+            radiation_per_s: 0.25,
+            support_per_s: 0.5,
+            felt_per_s: 9.0,
+            pipe_per_s: 0.125,
             residual: 1e-12,
             label,
             shape: Vec::new(),
@@ -197,10 +210,15 @@ mod tests {
         };
         modes::Bank {
             name: "chimes".to_owned(),
+            title: "Wind chimes".to_owned(),
+            ears_m: [[0.0; 3]; 2],
             material: Material::from_young(70e9, 0.33, 2700.0).unwrap(),
-            damping: Rayleigh {
-                alpha1_s: 0.0,
-                alpha2_per_s: 2.0,
+            damping: Damping {
+                rayleigh: modes::Rayleigh {
+                    alpha1_s: 0.0,
+                    alpha2_per_s: 0.25,
+                },
+                loss_factor: 0.0,
             },
             provenance: modes::Provenance::default(),
             bodies: vec![body],
