@@ -5,6 +5,7 @@ mod cyclic;
 mod hex20;
 mod isotropic;
 mod pencil;
+mod tet10;
 mod tet4;
 
 pub use assembly::assemble;
@@ -12,3 +13,4 @@ pub use cyclic::CyclicTube;
 pub use hex20::HEX20_NODES;
 pub use pencil::{Pattern, Pencil};
 pub use tet4::TetMass;
+pub use tet10::TET10_EDGES;
