@@ -61,13 +61,18 @@ impl Symbolic {
         }
     }
 
+    /// The unknowns in the order of the factor.
+    pub(super) fn order(&self) -> &[u32] {
+        self.permutation().arrays().0
+    }
+
     /// Where the factor puts each unknown.
     pub(super) fn place(&self) -> &[u32] {
-        self.0
-            .perm()
-            .expect("the order is never the pencil's own")
-            .arrays()
-            .1
+        self.permutation().arrays().1
+    }
+
+    fn permutation(&self) -> PermRef<'_, u32> {
+        self.0.perm().expect("the order is never the pencil's own")
     }
 
     /// Factors K − `shift` M, which must be positive definite; `shift` in (rad/s)².

@@ -223,26 +223,32 @@ impl<'a> Lanczos<'a> {
     }
 
     /// The operator's image of the first `count` vectors of `ritz`, which is nearer to the modes
-    /// than they are (Ericsson & Ruhe 1980): panels in the order of the factor, M-orthonormal.
-    pub(super) fn vectors(&self, ritz: &RitzSet, count: usize) -> Vec<Vec<f64>> {
+    /// than they are (Ericsson & Ruhe 1980): panels back to back in the order of the factor,
+    /// M-orthonormal, the last filled up with zeros.
+    pub(super) fn vectors(&self, ritz: &RitzSet, count: usize) -> Vec<f64> {
         let m = self.size();
-        ritz.pairs[..count]
-            .chunks(WIDTH)
-            .map(|pairs| {
-                let mut chosen = vec![0.0; (m + WIDTH) * WIDTH];
-                for (c, pair) in pairs.iter().enumerate() {
-                    let coefficients = &ritz.coefficients[pair.column * m..][..m];
-                    let gain = pair.eigenvalue - self.shift;
-                    let leak = self.leak(coefficients).map(|c| gain * c);
-                    for (i, value) in coefficients.iter().chain(&leak).enumerate() {
-                        chosen[i * WIDTH + c] = *value;
-                    }
+        let mut panels = vec![0.0; count.div_ceil(WIDTH) * self.panel()];
+        let groups = ritz.pairs[..count].chunks(WIDTH);
+        for (pairs, panel) in groups.zip(panels.chunks_exact_mut(self.panel())) {
+            let mut chosen = vec![0.0; (m + WIDTH) * WIDTH];
+            for (c, pair) in pairs.iter().enumerate() {
+                let coefficients = &ritz.coefficients[pair.column * m..][..m];
+                let gain = pair.eigenvalue - self.shift;
+                let leak = self.leak(coefficients).map(|c| gain * c);
+                for (i, value) in coefficients.iter().chain(&leak).enumerate() {
+                    chosen[i * WIDTH + c] = *value;
                 }
-                let mut panel = vec![0.0; self.panel()];
-                add_product(&mut panel, &self.basis, &chosen);
-                panel
-            })
-            .collect()
+            }
+            add_product(panel, &self.basis, &chosen);
+        }
+        panels
+    }
+
+    /// (K − σM)⁻¹ of a panel, less what of it is in `found`, M-orthonormal panels.
+    pub(super) fn solve_outside(&self, panel: &mut [f64], found: &[f64]) {
+        self.factor.solve(panel);
+        let known = inner(found, &self.mass.multiply(panel));
+        subtract_product(panel, found, &known);
     }
 }
 
