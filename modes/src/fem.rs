@@ -8,6 +8,7 @@ mod hex20;
 mod isotropic;
 mod meridian;
 mod pencil;
+mod tet10;
 mod tet4;
 
 pub use assembly::assemble;
@@ -19,3 +20,4 @@ pub(crate) use hex20::hex20_weights;
 pub use meridian::Meridian;
 pub use pencil::{Pattern, Pencil};
 pub use tet4::TetMass;
+pub use tet10::TET10_EDGES;

@@ -5,7 +5,7 @@ mod surface;
 mod tube;
 
 pub use bar::{BarGrid, BarPart, bar_hex20};
-pub use tube::{TubeGrid, tube_hex20, tube_tet4};
+pub use tube::{TubeGrid, tube_hex20, tube_tet4, tube_tet10};
 
 /// A volume mesh of one kind of element.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +21,8 @@ pub struct Mesh {
 pub enum Elements {
     /// Four-node linear tetrahedra, positively oriented.
     Tet4(Vec<[u32; 4]>),
+    /// Ten-node tetrahedra: corners, then the middles of [`crate::fem::TET10_EDGES`].
+    Tet10(Vec<[u32; 10]>),
     /// Twenty-node serendipity hexahedra; local order as in [`crate::fem::HEX20_NODES`].
     Hex20(Vec<[u32; 20]>),
 }
@@ -30,6 +32,7 @@ impl Elements {
     pub fn iter(&self) -> Box<dyn Iterator<Item = &[u32]> + '_> {
         match self {
             Self::Tet4(elements) => Box::new(elements.iter().map(<[u32; 4]>::as_slice)),
+            Self::Tet10(elements) => Box::new(elements.iter().map(<[u32; 10]>::as_slice)),
             Self::Hex20(elements) => Box::new(elements.iter().map(<[u32; 20]>::as_slice)),
         }
     }

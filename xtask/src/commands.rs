@@ -7,6 +7,7 @@ mod demo;
 mod export;
 mod install;
 mod params;
+mod pencil;
 mod precompute;
 mod render;
 mod spectrogram;
@@ -18,6 +19,7 @@ pub use demo::Demo;
 pub use export::Export;
 pub use install::Install;
 pub use params::Params;
+pub use pencil::Pencil;
 pub use precompute::Precompute;
 pub use render::Render;
 pub use spectrogram::Spectrogram;
@@ -44,6 +46,8 @@ pub enum Command {
     Bank(Bank),
     /// Write a body's stiffness and mass matrices as Matrix Market files
     Export(Export),
+    /// Write or solve a chime's matrices on a mesh of a kind, to hold the solver beside others
+    Pencil(Pencil),
     /// Compare the physics with theory and with published tables
     Check(Check),
     /// Draw a WAV file's spectrogram
@@ -66,6 +70,7 @@ impl Command {
             Self::Params(command) => command.run(),
             Self::Bank(command) => command.run(),
             Self::Export(command) => command.run(),
+            Self::Pencil(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Spectrogram(command) => command.run(),
         }

@@ -7,6 +7,7 @@ pub mod settings;
 pub mod spectrogram;
 
 mod banks;
+mod matrix_market;
 mod output;
 mod progress;
 mod table;

@@ -3,6 +3,7 @@
 use super::hex20::Hex20;
 use super::pencil::{Pattern, Pencil};
 use super::tet4::{Tet4, TetMass};
+use super::tet10::Tet10;
 use crate::mesh::{Elements, Mesh};
 use crate::{Material, SolveError};
 use std::sync::Arc;
@@ -10,7 +11,7 @@ use std::sync::Arc;
 /// Rigid motions of a free body: three translations, three rotations.
 const FREE_BODY: usize = 6;
 
-/// K and M of a free body; `mass` says how tetrahedra share theirs out.
+/// K and M of a free body; `mass` says how linear tetrahedra share theirs out.
 ///
 /// # Errors
 ///
@@ -29,6 +30,16 @@ pub fn assemble(mesh: &Mesh, material: &Material, mass: TetMass) -> Result<Penci
                 let corners = tet.map(|node| mesh.nodes[node as usize]);
                 let element =
                     Tet4::new(&corners, material, mass).ok_or(SolveError::BadElement { index })?;
+                add(&mut pencil, tet, |i, j| {
+                    (&element.stiffness[i][j], element.mass[i][j])
+                });
+            }
+        }
+        Elements::Tet10(tets) => {
+            for (index, tet) in tets.iter().enumerate() {
+                let nodes = tet.map(|node| mesh.nodes[node as usize]);
+                let element =
+                    Tet10::new(&nodes, material).ok_or(SolveError::BadElement { index })?;
                 add(&mut pencil, tet, |i, j| {
                     (&element.stiffness[i][j], element.mass[i][j])
                 });

@@ -3,7 +3,7 @@
 //! Reduced integration frees thin walls of the locking that full integration suffers (Zienkiewicz,
 //! Taylor & Too 1971); the zero-energy modes it allows in one element cannot pass between two.
 
-use super::isotropic::{add_block, determinant, inverse};
+use super::isotropic::{add_block, physical_gradients};
 use crate::Material;
 
 /// Local coordinates (ξ, η, ζ) of the nodes: corners first, then edge middles.
@@ -129,28 +129,12 @@ fn shape_gradient(node: [f64; 3], x: [f64; 3]) -> [f64; 3] {
 
 /// Gradients by x, y, z of all shape functions at local point `x`, and the Jacobian's determinant.
 fn gradients_at(nodes: &[[f64; 3]; 20], x: [f64; 3]) -> Option<([[f64; 3]; 20], f64)> {
-    let local = HEX20_NODES.map(|node| shape_gradient(node, x));
-    let mut jacobian = [[0.0; 3]; 3];
-    for (slope, position) in local.iter().zip(nodes) {
-        for (row, d) in jacobian.iter_mut().zip(slope) {
-            for (entry, coordinate) in row.iter_mut().zip(position) {
-                *entry += d * coordinate;
-            }
-        }
-    }
-    let det = determinant(&jacobian);
-    if det.is_nan() || det <= 0.0 {
-        return None;
-    }
-    let inv = inverse(&jacobian, det);
-    let gradients = local.map(|slope| {
-        [0, 1, 2].map(|a| inv[a][0] * slope[0] + inv[a][1] * slope[1] + inv[a][2] * slope[2])
-    });
-    Some((gradients, det))
+    physical_gradients(&HEX20_NODES.map(|node| shape_gradient(node, x)), nodes)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::isotropic::determinant;
     use super::*;
 
     const STEEL: Material = Material {

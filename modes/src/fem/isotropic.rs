@@ -22,6 +22,31 @@ pub(super) fn add_block(
     }
 }
 
+/// Gradients by x, y, z of the shape functions of an element with these `nodes`, from their gradients
+/// by its `local` coordinates, and the Jacobian's determinant; `None` unless that is positive.
+pub(super) fn physical_gradients<const N: usize>(
+    local: &[[f64; 3]; N],
+    nodes: &[[f64; 3]; N],
+) -> Option<([[f64; 3]; N], f64)> {
+    let mut jacobian = [[0.0; 3]; 3];
+    for (slope, position) in local.iter().zip(nodes) {
+        for (row, d) in jacobian.iter_mut().zip(slope) {
+            for (entry, coordinate) in row.iter_mut().zip(position) {
+                *entry += d * coordinate;
+            }
+        }
+    }
+    let det = determinant(&jacobian);
+    if det.is_nan() || det <= 0.0 {
+        return None;
+    }
+    let inv = inverse(&jacobian, det);
+    let gradients = local.map(|slope| {
+        [0, 1, 2].map(|a| inv[a][0] * slope[0] + inv[a][1] * slope[1] + inv[a][2] * slope[2])
+    });
+    Some((gradients, det))
+}
+
 /// Determinant of a 3×3 matrix.
 pub(super) fn determinant(m: &[[f64; 3]; 3]) -> f64 {
     m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])

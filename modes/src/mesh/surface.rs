@@ -1,15 +1,15 @@
 //! The outside of a mesh.
 
 use super::{Elements, Mesh};
-use crate::fem::HEX20_NODES;
+use crate::fem::{HEX20_NODES, TET10_EDGES};
 use std::collections::HashMap;
 
 /// Faces of a tetrahedron, counter-clockwise from outside.
 const TET_FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 
 impl Mesh {
-    /// Triangles of the surface, counter-clockwise from outside. A hexahedron's face of eight nodes
-    /// gives six.
+    /// Triangles of the surface, counter-clockwise from outside. A face with mid-side
+    /// nodes gives one to each corner and those in between: four of six nodes, six of eight.
     #[must_use]
     pub fn surface(&self) -> Vec<[u32; 3]> {
         let faces: Vec<Vec<u32>> = match &self.elements {
@@ -17,6 +17,12 @@ impl Mesh {
                 .iter()
                 .flat_map(|tet| TET_FACES.map(|face| face.map(|i| tet[i]).to_vec()))
                 .collect(),
+            Elements::Tet10(tets) => {
+                let local = TET_FACES.map(with_middles);
+                tets.iter()
+                    .flat_map(|tet| local.map(|face| face.map(|i| tet[i]).to_vec()))
+                    .collect()
+            }
             Elements::Hex20(hexes) => {
                 let local = hex_faces();
                 hexes
@@ -39,18 +45,31 @@ impl Mesh {
             .filter(|face| seen[&sorted(face)] == 1)
             .flat_map(|face| match face[..] {
                 [p, q, r] => vec![[p, q, r]],
-                // Corners and edge middles in turn: one triangle to a corner, two in between.
+                // Corners and edge middles in turn.
                 _ => {
-                    let mut triangles: Vec<_> = (0..4)
-                        .map(|i| [face[(2 * i + 7) % 8], face[2 * i], face[2 * i + 1]])
-                        .collect();
-                    triangles.push([face[1], face[3], face[5]]);
-                    triangles.push([face[1], face[5], face[7]]);
-                    triangles
+                    let n = face.len();
+                    let corner = |i| [face[(i + n - 1) % n], face[i], face[i + 1]];
+                    let between = |i| [face[1], face[i + 1], face[i + 3]];
+                    let corners = (0..n).step_by(2).map(corner);
+                    corners.chain((2..n - 2).step_by(2).map(between)).collect()
                 }
             })
             .collect()
     }
+}
+
+/// Corner, middle, corner, … of a ten-node tetrahedron's face with these corners.
+fn with_middles(corners: [usize; 3]) -> [usize; 6] {
+    std::array::from_fn(|i| {
+        let (from, to) = (corners[i / 2], corners[(i / 2 + 1) % 3]);
+        let edge = TET10_EDGES
+            .iter()
+            .position(|edge| edge.contains(&from) && edge.contains(&to));
+        match i % 2 {
+            0 => from,
+            _ => 4 + edge.expect("every two corners have an edge"),
+        }
+    })
 }
 
 /// Local nodes of the six faces, corner, middle, corner, …, counter-clockwise from outside.
@@ -85,7 +104,7 @@ fn hex_faces() -> [[usize; 8]; 6] {
 
 #[cfg(test)]
 mod tests {
-    use crate::mesh::{Mesh, TubeGrid, tube_hex20, tube_tet4};
+    use crate::mesh::{Mesh, TubeGrid, tube_hex20, tube_tet4, tube_tet10};
     use crate::shape::Tube;
 
     fn volume_and_area(mesh: &Mesh) -> (f64, f64) {
@@ -116,7 +135,11 @@ mod tests {
         };
         let walls = std::f64::consts::TAU * (tube.outer_radius_m + tube.inner_radius_m());
         let area = walls * tube.length_m + 2.0 * tube.section_area_m2();
-        for mesh in [tube_tet4(&tube, grid, 1), tube_hex20(&tube, grid)] {
+        for mesh in [
+            tube_tet4(&tube, grid, 1),
+            tube_tet10(&tube, grid, 1),
+            tube_hex20(&tube, grid),
+        ] {
             let (v, a) = volume_and_area(&mesh);
             assert!((v / tube.volume_m3() - 1.0).abs() < 2e-3, "{v}");
             assert!((a / area - 1.0).abs() < 1e-3, "{a}");

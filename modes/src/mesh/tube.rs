@@ -1,7 +1,7 @@
 //! Structured meshes of a tube.
 
 use super::{Elements, Mesh};
-use crate::fem::HEX20_NODES;
+use crate::fem::{HEX20_NODES, TET10_EDGES};
 use crate::shape::Tube;
 
 /// How many cells a tube is cut into on its wall.
@@ -69,6 +69,45 @@ pub fn tube_tet4(tube: &Tube, grid: TubeGrid, layers: usize) -> Mesh {
     }
 }
 
+/// Ten-node tetrahedra, six to a cell, `layers` of cells through the wall, with mid-side nodes on
+/// the true circles: (2·layers + 1)·2·around·(2·along + 1) nodes.
+#[must_use]
+pub fn tube_tet10(tube: &Tube, grid: TubeGrid, layers: usize) -> Mesh {
+    // Every node of the grid twice as fine is a corner or the middle of an edge.
+    let fine = TubeGrid {
+        around: 2 * grid.around,
+        along: 2 * grid.along,
+    };
+    let nodes = tube_tet4(tube, fine, 2 * layers).nodes;
+    let across = 2 * layers + 1;
+    let id = |[r, a, z]: [usize; 3]| number((z * fine.around + a % fine.around) * across + r);
+    let mut tets = Vec::with_capacity(6 * layers * grid.around * grid.along);
+    for z in 0..grid.along {
+        for a in 0..grid.around {
+            for r in 0..layers {
+                // Half cells from the origin to the middle of two corners, or to one twice.
+                let between = |c: usize, d: usize| {
+                    let step = |bit: usize| (c >> bit & 1) + (d >> bit & 1);
+                    id([2 * r + step(0), 2 * a + step(1), 2 * z + step(2)])
+                };
+                tets.extend(CUBE_TETS.map(|tet| {
+                    std::array::from_fn(|node| match node {
+                        0..4 => between(tet[node], tet[node]),
+                        _ => {
+                            let [p, q] = TET10_EDGES[node - 4];
+                            between(tet[p], tet[q])
+                        }
+                    })
+                }));
+            }
+        }
+    }
+    Mesh {
+        nodes,
+        elements: Elements::Tet10(tets),
+    }
+}
+
 /// Twenty-node hexahedra, one layer through the wall, with mid-side nodes on the true circles.
 #[must_use]
 pub fn tube_hex20(tube: &Tube, grid: TubeGrid) -> Mesh {
@@ -124,6 +163,32 @@ mod tests {
             along: 126,
         };
         assert_eq!(tube_tet4(&Tube::D5, grid, 1).nodes.len(), 18_796);
+    }
+
+    #[test]
+    fn mid_side_nodes_lie_on_the_true_circles() {
+        let (tube, layers) = (Tube::D5, 1);
+        let grid = TubeGrid {
+            around: 8,
+            along: 3,
+        };
+        let mesh = tube_tet10(&tube, grid, layers);
+        assert_eq!(mesh.nodes.len(), 3 * 16 * 7);
+        let mut used = vec![false; mesh.nodes.len()];
+        for tet in mesh.elements.iter() {
+            let radius = |node: usize| {
+                let [x, y, _] = mesh.nodes[tet[node] as usize];
+                x.hypot(y)
+            };
+            for (middle, [p, q]) in (4..10).zip(TET10_EDGES) {
+                let expected = 0.5 * (radius(p) + radius(q));
+                assert!((radius(middle) - expected).abs() < 1e-15);
+            }
+            for &node in tet {
+                used[node as usize] = true;
+            }
+        }
+        assert!(used.into_iter().all(|used| used));
     }
 
     #[test]

@@ -17,6 +17,9 @@ use faer::{Par, Side};
 /// Fill-reducing order and block structure of K − sM for every s.
 pub(super) struct Symbolic(SymbolicCholesky<u32>);
 
+/// Where a factor's entries go; a second factor may take the place of a first.
+pub(super) struct Room(Vec<f64>);
+
 /// A Cholesky factor of K − sM.
 pub(super) struct Cholesky<'a> {
     symbolic: &'a Symbolic,
@@ -61,20 +64,34 @@ impl Symbolic {
         }
     }
 
+    /// The unknowns in the order of the factor.
+    pub(super) fn order(&self) -> &[u32] {
+        self.permutation().arrays().0
+    }
+
     /// Where the factor puts each unknown.
     pub(super) fn place(&self) -> &[u32] {
-        self.0
-            .perm()
-            .expect("the order is never the pencil's own")
-            .arrays()
-            .1
+        self.permutation().arrays().1
+    }
+
+    fn permutation(&self) -> PermRef<'_, u32> {
+        self.0.perm().expect("the order is never the pencil's own")
+    }
+
+    /// Room for one factor.
+    pub(super) fn room(&self) -> Room {
+        Room(vec![0.0; self.0.len_val()])
     }
 
     /// Factors K − `shift` M, which must be positive definite; `shift` in (rad/s)².
-    pub(super) fn cholesky(&self, pencil: &Pencil, shift: f64) -> Result<Cholesky<'_>, SolveError> {
+    pub(super) fn cholesky(
+        &self,
+        pencil: &Pencil,
+        shift: f64,
+        Room(mut values): Room,
+    ) -> Result<Cholesky<'_>, SolveError> {
         let entries = shifted(pencil, shift);
         let matrix = SparseColMatRef::new(symbolic_matrix(pencil), &entries);
-        let mut values = vec![0.0; self.0.len_val()];
         let scratch = self
             .0
             .factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
@@ -97,17 +114,22 @@ impl Symbolic {
 
     /// Number of eigenvalues below `shift` in (rad/s)²: the negative pivots of K − `shift` M
     /// (Sylvester's law of inertia).
-    pub(super) fn count_below(&self, pencil: &Pencil, shift: f64) -> usize {
+    pub(super) fn count_below(
+        &self,
+        pencil: &Pencil,
+        shift: f64,
+        Room(values): &mut Room,
+    ) -> usize {
         let n = pencil.unknowns();
         let entries = shifted(pencil, shift);
         let matrix = SparseColMatRef::new(symbolic_matrix(pencil), &entries);
-        let (mut values, mut below) = (vec![0.0; self.0.len_val()], vec![0.0; n]);
+        let mut below = vec![0.0; n];
         let (mut forward, mut inverse) = (vec![0u32; n], vec![0u32; n]);
         let scratch = self
             .0
             .factorize_numeric_intranode_lblt_scratch::<f64>(Par::Seq, Default::default());
         self.0.factorize_numeric_intranode_lblt(
-            &mut values,
+            values,
             &mut below,
             &mut forward,
             &mut inverse,
@@ -170,5 +192,6 @@ impl Cholesky<'_> {
 #[must_use]
 pub fn count_below(pencil: &Pencil, hz: f64) -> usize {
     let omega = std::f64::consts::TAU * hz;
-    Symbolic::new(pencil).count_below(pencil, omega * omega)
+    let symbolic = Symbolic::new(pencil);
+    symbolic.count_below(pencil, omega * omega, &mut symbolic.room())
 }

@@ -7,7 +7,7 @@
 use super::dense;
 use super::factor::Cholesky;
 use super::orthonormal::{Triangle, cholesky_qr};
-use super::panel::{WIDTH, add_product, inner, subtract_product};
+use super::panel::{WIDTH, add_products, inner, inner_with, subtract_product};
 use super::sparse::Mass;
 
 /// Part of a vector that must be new for it to count as a direction of its own.
@@ -23,6 +23,12 @@ pub(super) struct Lanczos<'a> {
     basis: Vec<f64>,
     /// M times the newest panel.
     mass_newest: Vec<f64>,
+    /// Room for panels on the way.
+    product: Vec<f64>,
+    inertia: Vec<f64>,
+    spare: Vec<f64>,
+    /// Whether rounding is still to be taken out of the newest panel.
+    unclean: bool,
     /// Diagonal blocks of the projection, then what couples each to the next, row by row.
     diagonal: Vec<Triangle>,
     coupling: Vec<Triangle>,
@@ -48,19 +54,25 @@ pub(super) struct RitzSet {
 impl<'a> Lanczos<'a> {
     /// Starts from a fixed pseudo-random panel.
     pub(super) fn new(factor: &'a Cholesky<'a>, mass: &'a Mass, shift: f64) -> Self {
+        let panel = factor.unknowns() * WIDTH;
         let mut lanczos = Self {
             mass,
             factor,
             shift,
             basis: Vec::new(),
-            mass_newest: Vec::new(),
+            mass_newest: vec![0.0; panel],
+            product: vec![0.0; panel],
+            inertia: vec![0.0; panel],
+            spare: vec![0.0; panel],
+            unclean: false,
             diagonal: Vec::new(),
             coupling: Vec::new(),
             random: SplitMix(0x1d10_f04e),
         };
-        let start = lanczos.fresh();
-        let gram = inner(&start, &mass.multiply(&start));
-        lanczos.append(start, &gram, &[0.0; WIDTH]);
+        lanczos.fresh();
+        mass.multiply(&lanczos.product, &mut lanczos.inertia);
+        let gram = inner(&lanczos.product, &lanczos.inertia);
+        lanczos.append(&gram, &[0.0; WIDTH]);
         lanczos
     }
 
@@ -73,108 +85,130 @@ impl<'a> Lanczos<'a> {
         self.factor.unknowns() * WIDTH
     }
 
-    /// Pseudo-random vectors without the rough part that no wanted mode has.
-    fn fresh(&mut self) -> Vec<f64> {
-        let mut panel = vec![0.0; self.panel()];
-        self.random.fill(&mut panel);
-        let mut panel = self.mass.multiply(&panel);
-        self.factor.solve(&mut panel);
-        panel
+    /// Sets the product to pseudo-random vectors without the rough part that no wanted mode has.
+    fn fresh(&mut self) {
+        self.random.fill(&mut self.inertia);
+        self.mass.multiply(&self.inertia, &mut self.product);
+        self.factor.solve(&mut self.product);
     }
 
     /// Multiplies the newest panel by the operator and appends what is new in the product.
     pub(super) fn expand(&mut self) {
         let newest = self.basis.len() - self.panel();
-        let mut product = self.mass_newest.clone();
-        self.factor.solve(&mut product);
+        let (product, inertia) = (&mut self.product, &mut self.inertia);
+        product.copy_from_slice(&self.mass_newest);
+        self.factor.solve(product);
         let mut lengths = [0.0; WIDTH];
         // The operator couples to the last two panels only ...
         if let Some(coupling) = self.coupling.last() {
             let back: Triangle =
                 std::array::from_fn(|at| coupling[at % WIDTH * WIDTH + at / WIDTH]);
-            let previous = &self.basis[newest - self.panel()..newest];
-            subtract_product(&mut product, previous, &back);
+            let previous = &self.basis[newest - product.len()..newest];
+            subtract_product(product, previous, &back);
             add_squares(&mut lengths, &back);
         }
-        let local = inner(&self.mass_newest, &product);
-        subtract_product(&mut product, &self.basis[newest..], &local);
+        let local = inner(&self.mass_newest, product);
+        subtract_product(product, &self.basis[newest..], &local);
         add_squares(&mut lengths, &local);
-        // ... and what rounding leaves on all the others goes in one pass.
-        let inertia = self.mass.multiply(&product);
-        let rest = inner(&self.basis, &inertia);
-        let gram = inner(&product, &inertia);
-        subtract_product(&mut product, &self.basis, &rest);
-        let last = &rest[rest.len() - WIDTH * WIDTH..];
+        // ... and what rounding leaves on the others goes from two panels at a time, so that the
+        // basis is read half as often.
+        self.mass.multiply(product, inertia);
+        let gram = inner(product, inertia);
+        let last = inner(&self.basis[newest..], inertia);
+        subtract_product(product, &self.basis[newest..], &last);
+        if self.unclean {
+            let (known, newest) = self.basis.split_at_mut(newest);
+            let rest = inner_with(known, [&self.mass_newest, inertia]);
+            let rest = rest.map(|rest| rest.iter().map(|c| -c).collect::<Vec<_>>());
+            add_products(&mut [newest, product], known, &[&rest[0], &rest[1]]);
+        }
+        self.unclean = !self.unclean;
         let entry = |at: usize| local[at] + last[at];
         self.diagonal.push(std::array::from_fn(|at| {
             0.5 * (entry(at) + entry(at % WIDTH * WIDTH + at / WIDTH))
         }));
-        let coupling = self.append(product, &gram, &lengths.map(f64::sqrt));
+        let coupling = self.append(&gram, &lengths.map(f64::sqrt));
         self.coupling.push(coupling);
     }
 
-    /// M-orthonormalises `panel` in itself (it is already orthogonal to the basis, or there is
-    /// none), appends it, and returns the triangle R with `panel` = Q R. `lengths` are the vectors'
+    /// M-orthonormalises the product in itself (it is already orthogonal to the basis, or there is
+    /// none), appends it, and returns the triangle R with product = Q R. `lengths` are the vectors'
     /// before the basis was taken out of them, `gram` their inner products to a few digits.
-    fn append(&mut self, mut panel: Vec<f64>, gram: &[f64], lengths: &[f64; WIDTH]) -> Triangle {
-        let coupling = match cholesky_qr(self.mass, &mut panel, gram) {
-            Some((product, triangle))
-                if (0..WIDTH).all(|j| triangle[j * WIDTH + j] > NEW * lengths[j]) =>
-            {
-                self.mass_newest = product;
-                triangle
-            }
-            _ => self.gram_schmidt(&mut panel, lengths),
-        };
-        self.basis.extend_from_slice(&panel);
+    fn append(&mut self, gram: &[f64], lengths: &[f64; WIDTH]) -> Triangle {
+        let coupling = cholesky_qr(
+            self.mass,
+            &mut self.product,
+            (gram, &lengths.map(|length| NEW * length)),
+            &mut self.mass_newest,
+            [&mut self.spare, &mut self.inertia],
+        )
+        .unwrap_or_else(|| self.gram_schmidt(lengths));
+        self.basis.extend_from_slice(&self.product);
         coupling
     }
 
     /// As [`Self::append`], vector by vector; where one has nothing new in it a fresh one, coupled to
     /// nothing, takes its place.
-    fn gram_schmidt(&mut self, panel: &mut [f64], lengths: &[f64; WIDTH]) -> Triangle {
+    fn gram_schmidt(&mut self, lengths: &[f64; WIDTH]) -> Triangle {
         let mut triangle = [0.0; WIDTH * WIDTH];
         for j in 0..WIDTH {
-            let before = column_dots(panel, &self.mass.multiply(panel), j)[j].max(0.0);
-            self.clear(panel, j, &mut triangle);
-            let after = column_dots(panel, &self.mass.multiply(panel), j)[j].max(0.0);
-            let mut length = after.sqrt();
-            if length > NEW * before.sqrt().max(lengths[j]) {
+            let before = self.dots(j)[j].max(0.0).sqrt();
+            self.clear(j, &mut triangle);
+            let mut length = self.dots(j)[j].max(0.0).sqrt();
+            if length > NEW * before.max(lengths[j]) {
                 triangle[j * WIDTH + j] = length;
             } else {
-                let fresh = self.fresh();
-                for (row, fresh) in rows(panel).zip(fresh.chunks_exact(WIDTH)) {
+                self.spare.copy_from_slice(&self.product);
+                self.fresh();
+                for (row, fresh) in rows(&mut self.spare).zip(self.product.as_chunks().0) {
+                    let fresh: &[f64; WIDTH] = fresh;
                     row[j] = fresh[j];
                 }
+                std::mem::swap(&mut self.product, &mut self.spare);
                 for _ in 0..2 {
-                    let mut known = inner(&self.basis, &self.mass.multiply(panel));
+                    self.mass.multiply(&self.product, &mut self.inertia);
+                    let mut known = inner(&self.basis, &self.inertia);
                     for row in rows(&mut known) {
                         *row = std::array::from_fn(|c| if c == j { row[c] } else { 0.0 });
                     }
-                    subtract_product(panel, &self.basis, &known);
-                    self.clear(panel, j, &mut [0.0; WIDTH * WIDTH]);
+                    subtract_product(&mut self.product, &self.basis, &known);
+                    self.clear(j, &mut [0.0; WIDTH * WIDTH]);
                 }
-                length = column_dots(panel, &self.mass.multiply(panel), j)[j].sqrt();
+                length = self.dots(j)[j].sqrt();
             }
-            for row in rows(panel) {
+            for row in rows(&mut self.product) {
                 row[j] /= length;
             }
         }
-        self.mass_newest = self.mass.multiply(panel);
+        self.mass.multiply(&self.product, &mut self.mass_newest);
         triangle
     }
 
-    /// Takes the vectors before the `j`th out of it, twice; adds what they were to `triangle`.
-    fn clear(&self, panel: &mut [f64], j: usize, triangle: &mut Triangle) {
+    /// Takes the vectors of the product before the `j`th out of it, twice; adds what they were to
+    /// `triangle`.
+    fn clear(&mut self, j: usize, triangle: &mut Triangle) {
         for _ in 0..2 {
-            let known = column_dots(panel, &self.mass.multiply(panel), j);
-            for row in rows(panel) {
+            let known = self.dots(j);
+            for row in rows(&mut self.product) {
                 row[j] -= (0..j).map(|i| known[i] * row[i]).sum::<f64>();
             }
             for i in 0..j {
                 triangle[i * WIDTH + j] += known[i];
             }
         }
+    }
+
+    /// Inner products of all vectors of the product with the `j`th.
+    fn dots(&mut self, j: usize) -> [f64; WIDTH] {
+        self.mass.multiply(&self.product, &mut self.inertia);
+        let mut dots = [0.0; WIDTH];
+        let inertia = self.inertia.chunks_exact(WIDTH);
+        for (x, y) in self.product.chunks_exact(WIDTH).zip(inertia) {
+            for (dot, x) in dots.iter_mut().zip(x) {
+                *dot += x * y[j];
+            }
+        }
+        dots
     }
 
     /// Approximate eigenpairs of what has been expanded so far.
@@ -223,10 +257,11 @@ impl<'a> Lanczos<'a> {
     }
 
     /// The operator's image of the first `count` vectors of `ritz`, which is nearer to the modes
-    /// than they are (Ericsson & Ruhe 1980): panels in the order of the factor, M-orthonormal.
-    pub(super) fn vectors(&self, ritz: &RitzSet, count: usize) -> Vec<Vec<f64>> {
+    /// than they are (Ericsson & Ruhe 1980): panels back to back in the order of the factor,
+    /// M-orthonormal, the last filled up with zeros.
+    pub(super) fn vectors(&self, ritz: &RitzSet, count: usize) -> Vec<f64> {
         let m = self.size();
-        ritz.pairs[..count]
+        let chosen: Vec<Vec<f64>> = ritz.pairs[..count]
             .chunks(WIDTH)
             .map(|pairs| {
                 let mut chosen = vec![0.0; (m + WIDTH) * WIDTH];
@@ -238,27 +273,30 @@ impl<'a> Lanczos<'a> {
                         chosen[i * WIDTH + c] = *value;
                     }
                 }
-                let mut panel = vec![0.0; self.panel()];
-                add_product(&mut panel, &self.basis, &chosen);
-                panel
+                chosen
             })
-            .collect()
+            .collect();
+        let mut panels = vec![0.0; chosen.len() * self.panel()];
+        add_products(
+            &mut panels.chunks_exact_mut(self.panel()).collect::<Vec<_>>(),
+            &self.basis,
+            &chosen.iter().map(Vec::as_slice).collect::<Vec<_>>(),
+        );
+        panels
+    }
+
+    /// (K − σM)⁻¹ of a panel, less what of it is in `found`, M-orthonormal panels.
+    pub(super) fn solve_outside(&self, panel: &mut [f64], found: &[f64]) {
+        self.factor.solve(panel);
+        let mut inertia = vec![0.0; panel.len()];
+        self.mass.multiply(panel, &mut inertia);
+        let known = inner(found, &inertia);
+        subtract_product(panel, found, &known);
     }
 }
 
 fn rows(panel: &mut [f64]) -> impl Iterator<Item = &mut [f64; WIDTH]> {
     panel.as_chunks_mut().0.iter_mut()
-}
-
-/// Inner products of all vectors of `x` with the `j`th of `y`.
-fn column_dots(x: &[f64], y: &[f64], j: usize) -> [f64; WIDTH] {
-    let mut dots = [0.0; WIDTH];
-    for (x, y) in x.chunks_exact(WIDTH).zip(y.chunks_exact(WIDTH)) {
-        for (dot, x) in dots.iter_mut().zip(x) {
-            *dot += x * y[j];
-        }
-    }
-    dots
 }
 
 /// Adds the squares of each column.

@@ -10,25 +10,32 @@ const SAFE_PIVOT: f64 = 1e-10;
 /// A triangle R, row by row.
 pub(super) type Triangle = [f64; WIDTH * WIDTH];
 
-/// Replaces the panel W by Q with W = Q R, QᵀMQ = I; returns MQ and R. `None`, with W as it was, if
-/// its vectors are nearly dependent. `gram` is WᵀMW.
+/// Replaces the panel W by Q with W = Q R, QᵀMQ = I; sets `mass_q` to MQ and returns R. `None`, with
+/// W as it was, if its vectors are nearly dependent or what is new in one is no longer than in
+/// `shortest`. `gram` is WᵀMW; the last are two panels to work in.
 pub(super) fn cholesky_qr(
     mass: &Mass,
     w: &mut [f64],
-    gram: &[f64],
-) -> Option<(Vec<f64>, Triangle)> {
+    (gram, shortest): (&[f64], &[f64; WIDTH]),
+    mass_q: &mut [f64],
+    [q, product]: [&mut [f64]; 2],
+) -> Option<Triangle> {
     let first = cholesky(gram)?;
-    let mut q = vec![0.0; w.len()];
-    add_product(&mut q, w, &inverse(&first));
-    let product = mass.multiply(&q);
-    let second = cholesky(&inner(&q, &product))?;
+    q.fill(0.0);
+    add_product(q, w, &inverse(&first));
+    mass.multiply(q, product);
+    let second = cholesky(&inner(q, product))?;
+    let triangle = multiply(&second, &first);
+    if (0..WIDTH).any(|j| triangle[j * WIDTH + j] <= shortest[j]) {
+        return None;
+    }
     // The second triangle is nearly the identity.
     let correction = inverse(&second);
     w.fill(0.0);
-    add_product(w, &q, &correction);
-    q.fill(0.0);
-    add_product(&mut q, &product, &correction);
-    Some((q, multiply(&second, &first)))
+    add_product(w, q, &correction);
+    mass_q.fill(0.0);
+    add_product(mass_q, product, &correction);
+    Some(triangle)
 }
 
 /// R with RᵀR = G, if the pivots are safe.

@@ -9,7 +9,7 @@ pub(super) const WIDTH: usize = 8;
 const SQUARE: usize = WIDTH * WIDTH;
 
 /// Rows multiplied at once: a piece of two panels stays in the first-level cache.
-const ROWS: usize = 512;
+const ROWS: usize = 256;
 
 /// One row of a panel in registers: a power of two of them, by the processor's width.
 pub(super) type Row<S, const N: usize> = [<S as Simd>::f64s; N];
@@ -53,10 +53,16 @@ pub(super) fn run(kernel: impl Kernel) {
 
 /// XᵀY of every panel of `x` with the panel `y`: entry (i, j) of the p-th product at (8p + i)·8 + j.
 pub(super) fn inner(x: &[f64], y: &[f64]) -> Vec<f64> {
-    let mut products = vec![0.0; x.len() / y.len() * SQUARE];
+    let [products] = inner_with(x, [y]);
+    products
+}
+
+/// [`inner`] with each of several panels, reading `x` once.
+pub(super) fn inner_with<const Y: usize>(x: &[f64], ys: [&[f64]; Y]) -> [Vec<f64>; Y] {
+    let mut products = ys.map(|y| vec![0.0; x.len() / y.len() * SQUARE]);
     run(Inner {
         x,
-        y,
+        ys: &ys,
         products: &mut products,
     });
     products
@@ -64,32 +70,35 @@ pub(super) fn inner(x: &[f64], y: &[f64]) -> Vec<f64> {
 
 struct Inner<'a> {
     x: &'a [f64],
-    y: &'a [f64],
-    products: &'a mut [f64],
+    ys: &'a [&'a [f64]],
+    products: &'a mut [Vec<f64>],
 }
 
 impl Kernel for Inner<'_> {
     #[inline(always)]
     fn run<S: Simd, const N: usize>(self, simd: S) {
-        let pieces = self.y.chunks(ROWS * WIDTH).enumerate();
-        for (piece, y) in pieces {
-            let y = rows::<S, N>(y);
-            let products = self.products.chunks_exact_mut(SQUARE);
-            for (x, product) in self.x.chunks_exact(self.y.len()).zip(products) {
-                let x = &x[piece * ROWS * WIDTH..][..y.len() * WIDTH];
-                // Four rows of the product fill half of sixteen registers of four lanes.
-                for (half, out) in product.chunks_exact_mut(SQUARE / 2).enumerate() {
-                    let out = rows_mut::<S, N>(out);
-                    let mut sums = [out[0], out[1], out[2], out[3]];
-                    for (x, y) in x.as_chunks::<WIDTH>().0.iter().zip(y) {
-                        for i in 0..4 {
-                            let x = simd.splat_f64s(x[4 * half + i]);
-                            for v in 0..N {
-                                sums[i][v] = simd.mul_add_e_f64s(x, y[v], sums[i][v]);
+        let length = self.ys[0].len();
+        for start in (0..length).step_by(ROWS * WIDTH) {
+            let piece = start..length.min(start + ROWS * WIDTH);
+            for (p, x) in self.x.chunks_exact(length).enumerate() {
+                let x = x[piece.clone()].as_chunks::<WIDTH>().0;
+                for (y, products) in self.ys.iter().zip(&mut *self.products) {
+                    let y = rows::<S, N>(&y[piece.clone()]);
+                    let product = &mut products[p * SQUARE..][..SQUARE];
+                    // Four rows of the product fill half of sixteen registers of four lanes.
+                    for (half, out) in product.chunks_exact_mut(SQUARE / 2).enumerate() {
+                        let out = rows_mut::<S, N>(out);
+                        let mut sums = [out[0], out[1], out[2], out[3]];
+                        for (x, y) in x.iter().zip(y) {
+                            for i in 0..4 {
+                                let x = simd.splat_f64s(x[4 * half + i]);
+                                for v in 0..N {
+                                    sums[i][v] = simd.mul_add_e_f64s(x, y[v], sums[i][v]);
+                                }
                             }
                         }
+                        out.copy_from_slice(&sums);
                     }
-                    out.copy_from_slice(&sums);
                 }
             }
         }
@@ -99,37 +108,45 @@ impl Kernel for Inner<'_> {
 /// Y ← Y − X C, with C as [`inner`] gives it.
 pub(super) fn subtract_product(y: &mut [f64], x: &[f64], c: &[f64]) {
     let c: Vec<f64> = c.iter().map(|c| -c).collect();
-    run(AddProduct { y, x, c: &c });
+    add_product(y, x, &c);
 }
 
 /// Y ← Y + X C, with C as [`inner`] gives it.
 pub(super) fn add_product(y: &mut [f64], x: &[f64], c: &[f64]) {
-    run(AddProduct { y, x, c });
+    add_products(&mut [y], x, &[c]);
 }
 
-struct AddProduct<'a> {
-    y: &'a mut [f64],
+/// [`add_product`] to each of several panels, reading `x` once.
+pub(super) fn add_products(ys: &mut [&mut [f64]], x: &[f64], cs: &[&[f64]]) {
+    run(AddProducts { ys, x, cs });
+}
+
+struct AddProducts<'a, 'b> {
+    ys: &'a mut [&'b mut [f64]],
     x: &'a [f64],
-    c: &'a [f64],
+    cs: &'a [&'a [f64]],
 }
 
-impl Kernel for AddProduct<'_> {
+impl Kernel for AddProducts<'_, '_> {
     #[inline(always)]
     fn run<S: Simd, const N: usize>(self, simd: S) {
-        let length = self.y.len();
-        for (piece, y) in self.y.chunks_mut(ROWS * WIDTH).enumerate() {
-            let y = rows_mut::<S, N>(y);
-            let factors = self.c.chunks_exact(SQUARE);
-            for (x, c) in self.x.chunks_exact(length).zip(factors) {
-                let x = &x[piece * ROWS * WIDTH..][..y.len() * WIDTH];
-                for (half, c) in c.chunks_exact(SQUARE / 2).enumerate() {
-                    let c = rows::<S, N>(c);
-                    let c = [c[0], c[1], c[2], c[3]];
-                    for (x, y) in x.as_chunks::<WIDTH>().0.iter().zip(&mut *y) {
-                        for i in 0..4 {
-                            let x = simd.splat_f64s(x[4 * half + i]);
-                            for v in 0..N {
-                                y[v] = simd.mul_add_e_f64s(x, c[i][v], y[v]);
+        let length = self.ys.first().map_or(0, |y| y.len());
+        for start in (0..length).step_by(ROWS * WIDTH) {
+            let piece = start..length.min(start + ROWS * WIDTH);
+            for (p, x) in self.x.chunks_exact(length).enumerate() {
+                let x = x[piece.clone()].as_chunks::<WIDTH>().0;
+                for (y, c) in self.ys.iter_mut().zip(self.cs) {
+                    let y = rows_mut::<S, N>(&mut y[piece.clone()]);
+                    let c = &c[p * SQUARE..][..SQUARE];
+                    for (half, c) in c.chunks_exact(SQUARE / 2).enumerate() {
+                        let c = rows::<S, N>(c);
+                        let c = [c[0], c[1], c[2], c[3]];
+                        for (x, y) in x.iter().zip(&mut *y) {
+                            for i in 0..4 {
+                                let x = simd.splat_f64s(x[4 * half + i]);
+                                for v in 0..N {
+                                    y[v] = simd.mul_add_e_f64s(x, c[i][v], y[v]);
+                                }
                             }
                         }
                     }
@@ -153,6 +170,18 @@ pub(super) fn from_columns(columns: &[f64], n: usize) -> Vec<Vec<f64>> {
             panel
         })
         .collect()
+}
+
+/// The eight columns of a panel.
+pub(super) fn columns(panel: &[f64]) -> [Vec<f64>; WIDTH] {
+    let rows = panel.as_chunks::<WIDTH>().0;
+    let mut columns = [(); WIDTH].map(|()| Vec::with_capacity(rows.len()));
+    for row in rows {
+        for (column, value) in columns.iter_mut().zip(row) {
+            column.push(*value);
+        }
+    }
+    columns
 }
 
 /// The panel whose i-th row is the `place[i]`-th of `panel`.

@@ -47,15 +47,13 @@ impl Mass {
         }
     }
 
-    /// M X for the panel `x`.
-    pub(super) fn multiply(&self, x: &[f64]) -> Vec<f64> {
-        let mut product = vec![0.0; x.len()];
+    /// `product` ← M X for the panel `x`.
+    pub(super) fn multiply(&self, x: &[f64], product: &mut [f64]) {
         run(Multiply {
             matrix: self,
             x,
-            product: &mut product,
+            product,
         });
-        product
     }
 }
 
@@ -90,16 +88,21 @@ impl Kernel for Multiply<'_> {
     }
 }
 
-/// K X and M X for the panel `x` in the pencil's own order.
-pub(super) fn forces_and_inertias(pencil: &Pencil, x: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let (mut forces, mut inertias) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+/// `forces` ← K X and `inertias` ← M X for the panel `x` in the pencil's own order.
+pub(super) fn forces_and_inertias(
+    pencil: &Pencil,
+    x: &[f64],
+    forces: &mut [f64],
+    inertias: &mut [f64],
+) {
+    forces.fill(0.0);
+    inertias.fill(0.0);
     run(Both {
         pencil,
         x,
-        forces: &mut forces,
-        inertias: &mut inertias,
+        forces,
+        inertias,
     });
-    (forces, inertias)
 }
 
 struct Both<'a> {
@@ -126,12 +129,20 @@ impl Kernel for Both<'_> {
             for at in pattern.column(j) {
                 let i = pattern.rows[at] as usize;
                 let k = simd.splat_f64s(stiffness[at]);
-                let m = simd.splat_f64s(mass[at]);
                 for v in 0..N {
                     force[v] = simd.mul_add_e_f64s(k, x[i][v], force[v]);
-                    inertia[v] = simd.mul_add_e_f64s(m, x[i][v], inertia[v]);
                     if i != j {
                         forces[i][v] = simd.mul_add_e_f64s(k, x[j][v], forces[i][v]);
+                    }
+                }
+                // Most of M is zero: it does not couple directions.
+                if mass[at] == 0.0 {
+                    continue;
+                }
+                let m = simd.splat_f64s(mass[at]);
+                for v in 0..N {
+                    inertia[v] = simd.mul_add_e_f64s(m, x[i][v], inertia[v]);
+                    if i != j {
                         inertias[i][v] = simd.mul_add_e_f64s(m, x[j][v], inertias[i][v]);
                     }
                 }
