@@ -67,7 +67,7 @@ fn a_thin_bar_moves_two_root_masses_at_its_ends() {
     assert_eq!(first.label.to_string(), "bending 1");
     // Blevins 1979, table 8-1.
     let expected = 2.0 / body.mass_kg.sqrt();
-    let error = f64::from(first.shape[0][2].abs()) / expected - 1.0;
+    let error = f64::from(first.shape[body.line.len() - 1][2].abs()) / expected - 1.0;
     assert!(error.abs() < 2e-3, "{error:e}");
     // The fundamental is held where it does not rise: only the little turn of the section is left.
     assert!(first.held < 4e-3 * expected * expected, "{}", first.held);
@@ -156,24 +156,22 @@ fn ratios_out_of_reach_name_the_nearest() {
     assert!(error.to_string().contains("1 : 2.000 : 12.000"), "{error}");
 }
 
-/// Each mode is its own image or its opposite, to the bit.
+/// In the middle, where the line begins, a mode that is odd along the bar neither rises nor, unless it
+/// is odd across too, moves sideways.
 #[test]
-fn shapes_mirror_exactly() {
-    let body = solved(&tuned(72));
+fn the_strike_line_runs_from_the_middle_to_an_end() {
+    let bar = tuned(72);
+    let body = solved(&bar);
     let last = body.line.len() - 1;
-    for i in 0..=last {
-        let (here, there) = (body.line.points_m[i], body.line.points_m[last - i]);
-        assert_eq!(here[0], -there[0]);
-    }
-    for mode in &body.modes {
-        let image = |sign: f32| {
-            (0..=last).all(|i| {
-                let (u, v) = (mode.shape[i], mode.shape[last - i]);
-                u[0] == -sign * v[0] && u[1] == sign * v[1] && u[2] == sign * v[2]
-            })
-        };
-        assert!(image(1.0) || image(-1.0), "{}", mode.label);
-        assert!(mode.shape.iter().any(|u| u[2] != 0.0), "{}", mode.label);
-    }
-    assert!(body.orthonormality < 1e-12, "{:e}", body.orthonormality);
+    assert_eq!(body.line.points_m[0][0], 0.0);
+    assert!((body.line.points_m[last][0] - 0.5 * bar.length_m).abs() < 1e-12);
+    let rise = |name: &str, i: usize| {
+        let mode = body
+            .modes
+            .iter()
+            .find(|mode| mode.label.to_string() == name);
+        mode.unwrap().shape[i][2].abs()
+    };
+    assert_eq!(rise("bending 2", 0), 0.0);
+    assert!(rise("bending 1", 0) > 0.4 * rise("bending 1", last));
 }

@@ -97,7 +97,8 @@ pub fn modes_in_band(pencil: &Pencil, band: Band) -> Result<Solution, SolveError
         let counted = values.partition_point(|&value| value < top);
         let panels =
             panel::from_columns(&vectors[..counted * pencil.unknowns()], pencil.unknowns());
-        let correct = |_: &mut [f64]| {};
+        // Nothing is left outside all the modes.
+        let correct = |residual: &mut [f64]| residual.fill(0.0);
         return finish(
             pencil,
             band,
