@@ -9,24 +9,25 @@ mod notes;
 pub mod params;
 mod player;
 mod stage;
+mod workshop;
 
 use nice_plug::prelude::{
     ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,
     ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, ProcessContext, ProcessStatus,
-    RemoteControlsContext, RemoteControlsPage, RemoteControlsSection, TaskExecutor, Vst3Plugin,
-    Vst3SubCategory,
+    RemoteControlsContext, RemoteControlsPage, RemoteControlsSection, Vst3Plugin, Vst3SubCategory,
 };
 use params::Controls;
 use player::Player;
-use stage::{Stage, Task, Wings};
+use stage::Stage;
 use std::sync::Arc;
+use workshop::Workshop;
 
 /// The plug-in.
 #[derive(Default)]
 pub struct Idiophone {
     controls: Arc<Controls>,
     player: Option<Player>,
-    wings: Wings,
+    workshop: Option<Workshop>,
 }
 
 impl Plugin for Idiophone {
@@ -45,15 +46,10 @@ impl Plugin for Idiophone {
 
     type Editor = ();
     type SysExMessage = ();
-    type BackgroundTask = Task;
+    type BackgroundTask = ();
 
     fn params(&self) -> Arc<dyn Params> {
         self.controls.clone()
-    }
-
-    fn task_executor(&mut self) -> TaskExecutor<Self> {
-        let wings = self.wings.clone();
-        Box::new(move |task| wings.work(task))
     }
 
     fn filter_state(state: &mut PluginState) {
@@ -67,8 +63,13 @@ impl Plugin for Idiophone {
         _context: &mut impl ActivateContext<Self>,
     ) -> bool {
         let rate_hz = f64::from(buffer.sample_rate);
+        self.workshop = Some(Workshop::open(rate_hz));
         self.player = Some(Player::new(Stage::new(self.controls.instrument(), rate_hz)));
         true
+    }
+
+    fn deactivate(&mut self) {
+        self.workshop = None;
     }
 
     fn reset(&mut self) {
@@ -91,8 +92,8 @@ impl Plugin for Idiophone {
             return ProcessStatus::Normal;
         };
         let stage = player.stage();
-        if let Some(task) = stage.turn(self.controls.instrument(), &self.wings) {
-            context.execute_background(task);
+        if let Some(workshop) = &self.workshop {
+            stage.turn(self.controls.instrument(), workshop);
         }
         stage.set(&self.controls.settings());
         player.play::<Self>(left, right, context);

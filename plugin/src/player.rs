@@ -142,7 +142,6 @@ fn end<P: Plugin>(note: Note, now: u32, context: &mut impl ProcessContext<P>) {
 mod tests {
     use super::*;
     use crate::Idiophone;
-    use crate::stage::Task;
     use nice_plug::context::process::{SendEventError, Transport};
     use nice_plug::midi::{Channel, VoiceID};
     use nice_plug::prelude::PluginApi;
@@ -170,8 +169,8 @@ mod tests {
         fn plugin_api(&self) -> PluginApi {
             PluginApi::Clap
         }
-        fn execute_background(&self, _: Task) {}
-        fn execute_gui(&self, _: Task) {}
+        fn execute_background(&self, (): ()) {}
+        fn execute_gui(&self, (): ()) {}
         fn transport(&self) -> &Transport {
             &self.transport
         }

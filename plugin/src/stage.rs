@@ -2,51 +2,10 @@
 
 use crate::engine::{Engine, GRID, Settings};
 use crate::factory;
-use crossbeam_queue::ArrayQueue;
-use std::sync::Arc;
+use crate::workshop::Bench;
 
 /// Instruments before the present one that may ring at the same time.
 const RINGING: usize = 4;
-
-/// Work that does not belong in the audio thread.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Task {
-    /// Make the instrument of that index ready for a sample rate in Hz.
-    Prepare(usize, f64),
-    /// Give back the memory of instruments that have rung out.
-    Tidy,
-}
-
-/// An engine and the index of its bank.
-type Ready = (usize, Box<Engine>);
-
-/// What the audio thread and the one that works for it hand each other.
-#[derive(Clone)]
-pub(crate) struct Wings {
-    ready: Arc<ArrayQueue<Ready>>,
-    spent: Arc<ArrayQueue<Box<Engine>>>,
-}
-
-impl Default for Wings {
-    fn default() -> Self {
-        Self {
-            ready: Arc::new(ArrayQueue::new(1)),
-            spent: Arc::new(ArrayQueue::new(2 * RINGING)),
-        }
-    }
-}
-
-impl Wings {
-    /// Does the work, on a thread that may take its time.
-    pub(crate) fn work(&self, task: Task) {
-        while self.spent.pop().is_some() {}
-        if let Task::Prepare(index, rate_hz) = task {
-            let engine = Box::new(Engine::new(factory::bank(index), rate_hz));
-            // One that was not fetched is no longer wanted.
-            self.ready.force_push((index, engine));
-        }
-    }
-}
 
 /// The instruments that sound.
 ///
@@ -59,7 +18,6 @@ pub(crate) struct Stage {
     ringing: [Option<Box<Engine>>; RINGING],
     settings: Settings,
     pedal: bool,
-    rate_hz: f64,
 }
 
 impl Stage {
@@ -72,40 +30,39 @@ impl Stage {
             ringing: [const { None }; RINGING],
             settings: Settings::default(),
             pedal: false,
-            rate_hz,
         }
     }
 
-    /// Brings the wanted instrument on if it is ready, and tells what is to be done elsewhere.
+    /// Brings the wanted instrument on as soon as the workshop has it.
     ///
     /// What rang goes on ringing. If too much does, the instrument that has rung longest is silenced
     /// by hand, and the new one comes when it is still.
-    pub(crate) fn turn(&mut self, wanted: usize, wings: &Wings) -> Option<Task> {
-        let tidy = self.clear(wings);
+    pub(crate) fn turn(&mut self, wanted: usize, bench: &Bench) {
+        self.clear(bench);
         if wanted != self.wanted {
             self.wanted = wanted;
             if wanted != self.index {
-                return Some(Task::Prepare(wanted, self.rate_hz));
+                bench.ask(wanted);
             }
         }
-        if self.wanted != self.index {
-            let Some(slot) = self.ringing.iter().position(Option::is_none) else {
-                if let Some(oldest) = &mut self.ringing[0] {
-                    oldest.choke_all();
-                }
-                return tidy;
-            };
-            if let Some((index, engine)) = wings.ready.pop() {
-                if index == self.wanted {
-                    self.enter(slot, index, engine);
-                } else {
-                    // Asked for before the last change of mind.
-                    let _ = wings.spent.push(engine);
-                    return Some(Task::Prepare(self.wanted, self.rate_hz));
-                }
-            }
+        if self.wanted == self.index {
+            return;
         }
-        tidy
+        let Some(slot) = self.ringing.iter().position(Option::is_none) else {
+            if let Some(oldest) = &mut self.ringing[0] {
+                oldest.choke_all();
+            }
+            return;
+        };
+        match bench.fetch() {
+            Some((index, engine)) if index == self.wanted => self.enter(slot, index, engine),
+            // Asked for before the last change of mind: it rings out at once, being silent.
+            Some((_, engine)) => {
+                self.ringing[slot] = Some(engine);
+                bench.ask(self.wanted);
+            }
+            None => {}
+        }
     }
 
     fn enter(&mut self, slot: usize, index: usize, mut engine: Box<Engine>) {
@@ -116,16 +73,10 @@ impl Stage {
     }
 
     /// Hands over what has rung out; the others move up, the oldest first.
-    fn clear(&mut self, wings: &Wings) -> Option<Task> {
-        let mut task = None;
+    fn clear(&mut self, bench: &Bench) {
         for slot in &mut self.ringing {
-            if slot.as_ref().is_some_and(|engine| engine.awake() == 0)
-                && let Some(engine) = slot.take()
-            {
-                match wings.spent.push(engine) {
-                    Ok(()) => task = Some(Task::Tidy),
-                    Err(engine) => *slot = Some(engine),
-                }
+            if slot.as_ref().is_some_and(|engine| engine.awake() == 0) {
+                *slot = slot.take().and_then(|engine| bench.discard(engine).err());
             }
         }
         for slot in 1..RINGING {
@@ -133,7 +84,6 @@ impl Stage {
                 self.ringing.swap(slot - 1, slot);
             }
         }
-        task
     }
 
     /// Calls `act` for every instrument that sounds.
@@ -213,17 +163,16 @@ mod tests {
 
     #[test]
     fn what_rings_rings_out_when_the_instrument_changes() {
-        let wings = Wings::default();
+        let bench = Bench::new(48_000.0);
         let (mut stage, mut twin) = (Stage::new(0, 48_000.0), Stage::new(0, 48_000.0));
         for stage in [&mut stage, &mut twin] {
             stage.strike(60, 0.8);
             render(stage, 1000);
         }
-        let task = stage.turn(1, &wings).unwrap();
-        assert_eq!(task, Task::Prepare(1, 48_000.0));
-        assert_eq!(stage.turn(1, &wings), None, "asked for once");
-        wings.work(task);
-        assert_eq!(stage.turn(1, &wings), None);
+        stage.turn(1, &bench);
+        assert!(bench.work(), "asked for");
+        stage.turn(1, &bench);
+        assert!(!bench.work(), "once");
         assert_eq!(stage.index, 1);
         assert_eq!(render(&mut stage, 1000), render(&mut twin, 1000));
         stage.strike(60, 0.5);
@@ -232,35 +181,34 @@ mod tests {
         stage.each(Engine::choke_all);
         render(&mut stage, 48_000);
         assert_eq!(stage.awake(), 0);
-        assert_eq!(stage.turn(1, &wings), Some(Task::Tidy));
-        wings.work(Task::Tidy);
-        assert!(wings.spent.is_empty());
+        stage.turn(1, &bench);
+        assert!(stage.ringing.iter().all(Option::is_none));
+        assert!(bench.work(), "taken apart");
     }
 
     #[test]
     fn a_change_of_mind_gets_the_last_wish_and_many_changes_wait_for_silence() {
-        let wings = Wings::default();
+        let bench = Bench::new(48_000.0);
         let mut stage = Stage::new(0, 48_000.0);
-        let first = stage.turn(1, &wings).unwrap();
-        let second = stage.turn(2, &wings).unwrap();
-        wings.work(first);
-        assert_eq!(
-            stage.turn(2, &wings),
-            Some(second),
-            "the first is no longer wanted"
-        );
-        wings.work(second);
-        stage.turn(2, &wings);
+        stage.turn(1, &bench);
+        bench.work();
+        stage.turn(2, &bench);
+        assert_eq!(stage.index, 0, "the first is no longer wanted");
+        for _ in 0..2 {
+            bench.work();
+            stage.turn(2, &bench);
+        }
         assert_eq!(stage.index, 2);
         for turn in 0..10 {
             let wanted = if turn % 2 == 0 { 3 } else { 4 };
             stage.strike(60, 1.0);
             render(&mut stage, 64);
-            while stage.index != wanted {
-                if let Some(task) = stage.turn(wanted, &wings) {
-                    wings.work(task);
-                }
+            let mut patience = 0;
+            while stage.index != wanted && patience < 100 {
+                stage.turn(wanted, &bench);
+                bench.work();
                 render(&mut stage, 4800);
+                patience += 1;
             }
         }
         assert_eq!(stage.index, 4);

@@ -216,15 +216,17 @@ mod tests {
                 let (mut a, mut b, mut closed) = (SILENT, SILENT, SILENT);
                 kernel.ring(&mut fast, GRID, &mut a);
                 scalar::ring(&mut plain, GRID, &mut b);
-                for n in 0..GRID {
+                let [left, right, plain_bus] = &mut closed;
+                let buses = left.iter_mut().zip(right).zip(plain_bus);
+                for (n, ((left, right), middle)) in buses.enumerate() {
                     let t = (grid * GRID + n) as f64 / RATE_HZ;
                     for (i, (omega, decay)) in motion.iter().enumerate() {
                         let size = (-decay * t).exp() / (1.0 + i as f64);
                         let (y, x) = (size * (omega * t).sin(), size * (omega * t).cos());
                         let hear = |k: usize| plain.hear[k][i];
-                        closed[0][n] += hear(0) * y + hear(1) * x;
-                        closed[1][n] += hear(2) * y + hear(3) * x;
-                        closed[2][n] += hear(4) * y;
+                        *left += hear(0) * y + hear(1) * x;
+                        *right += hear(2) * y + hear(3) * x;
+                        *middle += hear(4) * y;
                     }
                 }
                 assert!(worst(&a, &b) < 2e-12);

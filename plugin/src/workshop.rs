@@ -1,0 +1,153 @@
+//! Where instruments are made ready and taken apart, away from the audio thread.
+//!
+//! A thread of our own: the framework's worker ends when a task reaches it after its instance has
+//! gone, and then aborts the host.
+
+use crate::engine::Engine;
+use crate::factory;
+use crossbeam_queue::ArrayQueue;
+use std::ops::Deref;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::thread::{self, JoinHandle, Thread};
+
+/// Instruments that may wait to be taken apart.
+const SPENT: usize = 8;
+
+/// No instrument is asked for.
+const NONE: usize = usize::MAX;
+
+/// An engine and the index of its bank.
+pub(crate) type Ready = (usize, Box<Engine>);
+
+/// What the audio thread and the workshop hand each other, without locks.
+pub(crate) struct Bench {
+    asked: AtomicUsize,
+    ready: ArrayQueue<Ready>,
+    spent: ArrayQueue<Box<Engine>>,
+    closing: AtomicBool,
+    worker: OnceLock<Thread>,
+    rate_hz: f64,
+}
+
+impl Bench {
+    /// For instruments at `rate_hz`; without a thread, [`Bench::work`] does the work.
+    pub(crate) fn new(rate_hz: f64) -> Self {
+        Self {
+            asked: AtomicUsize::new(NONE),
+            ready: ArrayQueue::new(1),
+            spent: ArrayQueue::new(SPENT),
+            closing: AtomicBool::new(false),
+            worker: OnceLock::new(),
+            rate_hz,
+        }
+    }
+
+    /// Asks for the instrument of that index, instead of the one asked for before.
+    pub(crate) fn ask(&self, index: usize) {
+        self.asked.store(index, Ordering::Release);
+        self.wake();
+    }
+
+    /// The last instrument that was made ready, once.
+    pub(crate) fn fetch(&self) -> Option<Ready> {
+        self.ready.pop()
+    }
+
+    /// Hands over an instrument to be taken apart; back, if there is no room.
+    pub(crate) fn discard(&self, engine: Box<Engine>) -> Result<(), Box<Engine>> {
+        self.spent.push(engine)?;
+        self.wake();
+        Ok(())
+    }
+
+    fn wake(&self) {
+        if let Some(worker) = self.worker.get() {
+            worker.unpark();
+        }
+    }
+
+    /// Does what there is to do; whether there was anything.
+    pub(crate) fn work(&self) -> bool {
+        let mut busy = false;
+        while self.spent.pop().is_some() {
+            busy = true;
+        }
+        let index = self.asked.swap(NONE, Ordering::AcqRel);
+        if index != NONE {
+            let engine = Box::new(Engine::new(factory::bank(index), self.rate_hz));
+            // One that was not fetched is no longer wanted.
+            drop(self.ready.force_push((index, engine)));
+            busy = true;
+        }
+        busy
+    }
+}
+
+/// A bench with a thread that works at it.
+pub(crate) struct Workshop {
+    bench: Arc<Bench>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Workshop {
+    /// For instruments at `rate_hz`. Without a thread to be had, instruments do not change.
+    pub(crate) fn open(rate_hz: f64) -> Self {
+        let bench = Arc::new(Bench::new(rate_hz));
+        let there = Arc::clone(&bench);
+        let thread = thread::Builder::new()
+            .name("idiophone workshop".to_owned())
+            .spawn(move || {
+                while !there.closing.load(Ordering::Acquire) {
+                    if !there.work() {
+                        thread::park();
+                    }
+                }
+            })
+            .ok();
+        if let Some(thread) = &thread {
+            let _ = bench.worker.set(thread.thread().clone());
+        }
+        Self { bench, thread }
+    }
+}
+
+impl Deref for Workshop {
+    type Target = Bench;
+
+    fn deref(&self) -> &Bench {
+        &self.bench
+    }
+}
+
+impl Drop for Workshop {
+    fn drop(&mut self) {
+        self.bench.closing.store(true, Ordering::Release);
+        if let Some(thread) = self.thread.take() {
+            thread.thread().unpark();
+            let _ = thread.join();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Workshop;
+    use std::time::{Duration, Instant};
+
+    #[test]
+    fn an_open_workshop_delivers_and_closes() {
+        let workshop = Workshop::open(48_000.0);
+        workshop.ask(2);
+        workshop.ask(1);
+        let start = Instant::now();
+        let index = loop {
+            match workshop.fetch() {
+                Some((1, _)) => break 1,
+                _ if start.elapsed() > Duration::from_secs(60) => break 0,
+                _ => std::thread::sleep(Duration::from_millis(1)),
+            }
+        };
+        assert_eq!(index, 1);
+    }
+}
