@@ -1,8 +1,8 @@
-//! Convergence of both elements, and the reduced sector against the whole mesh.
+//! Convergence of the elements, and the reduced sector against the whole mesh.
 
 use super::{CHIME, CheckError, Row, SHIPPED, aluminium};
 use crate::fem::{CyclicTube, TetMass, assemble};
-use crate::mesh::{TubeGrid, tube_hex20, tube_tet4};
+use crate::mesh::{TubeGrid, tube_hex20, tube_tet4, tube_tet10};
 use crate::shape::Tube;
 use crate::solve::{Band, count_below, lowest, modes_in_band};
 use crate::tube::{Fineness, tube_modes};
@@ -15,7 +15,13 @@ const THICK: Tube = Tube {
 };
 
 pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
-    let mut rows = vec![hex_order()?, tet_order()?, halved()?];
+    let mut rows = vec![
+        hex_order()?,
+        tet_order()?,
+        tet10_order()?,
+        tet10_chime()?,
+        halved()?,
+    ];
     rows.extend(sector()?);
     Ok(rows)
 }
@@ -59,6 +65,46 @@ fn tet_order() -> Result<Row, CheckError> {
         (2.0, order([hz(1)?, hz(2)?, hz(4)?]), ""),
         0.2,
         "h^2p for elements of degree p = 1 (Strang & Fix 1973)",
+    ))
+}
+
+fn tet10_order() -> Result<Row, CheckError> {
+    let hz = |n: usize| -> Result<f64, CheckError> {
+        let grid = TubeGrid {
+            around: 6 * n,
+            along: 4 * n,
+        };
+        let mesh = tube_tet10(&THICK, grid, n);
+        let pencil = assemble(&mesh, &aluminium(), TetMass::Consistent)?;
+        Ok(lowest(&pencil, 0)?)
+    };
+    let t = [hz(1)?, hz(2)?, hz(4)?];
+    eprintln!("{t:?}");
+    Ok(Row::absolute(
+        "10-node tetrahedra, order of the error of bending 1",
+        (4.0, order([hz(1)?, hz(2)?, hz(4)?]), ""),
+        0.3,
+        "h^2p for elements of degree p = 2 (Strang & Fix 1973)",
+    ))
+}
+
+fn tet10_chime() -> Result<Row, CheckError> {
+    let grid = TubeGrid {
+        around: 12,
+        along: 24,
+    };
+    let mesh = tube_tet10(&CHIME, grid, 1);
+    let tetrahedra = assemble(&mesh, &aluminium(), TetMass::Consistent)?;
+    let converged = CyclicTube::new(&CHIME, SHIPPED.grid(&CHIME), &aluminium())?;
+    Ok(Row::relative(
+        "0.505 m chime in 3,528 nodes of 10-node tetrahedra: fundamental",
+        (
+            lowest(&converged.pencil(1), 0)?,
+            lowest(&tetrahedra, 0)?,
+            "Hz",
+        ),
+        1e-3,
+        "20-node hexahedra, converged",
     ))
 }
 
