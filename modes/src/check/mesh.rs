@@ -15,13 +15,9 @@ const THICK: Tube = Tube {
 };
 
 pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
-    let mut rows = vec![
-        hex_order()?,
-        tet_order()?,
-        tet10_order()?,
-        tet10_chime()?,
-        halved()?,
-    ];
+    let mut rows = vec![hex_order()?, tet_order()?];
+    rows.extend(tet10()?);
+    rows.push(halved()?);
     rows.extend(sector()?);
     Ok(rows)
 }
@@ -68,44 +64,33 @@ fn tet_order() -> Result<Row, CheckError> {
     ))
 }
 
-fn tet10_order() -> Result<Row, CheckError> {
+/// One layer through the wall carries the strain of bending, which is linear across it.
+fn tet10() -> Result<[Row; 2], CheckError> {
     let hz = |n: usize| -> Result<f64, CheckError> {
         let grid = TubeGrid {
             around: 6 * n,
-            along: 4 * n,
+            along: 12 * n,
         };
-        let mesh = tube_tet10(&THICK, grid, n);
+        let mesh = tube_tet10(&CHIME, grid, 1);
         let pencil = assemble(&mesh, &aluminium(), TetMass::Consistent)?;
         Ok(lowest(&pencil, 0)?)
     };
-    let t = [hz(1)?, hz(2)?, hz(4)?];
-    eprintln!("{t:?}");
-    Ok(Row::absolute(
-        "10-node tetrahedra, order of the error of bending 1",
-        (4.0, order([hz(1)?, hz(2)?, hz(4)?]), ""),
-        0.3,
-        "h^2p for elements of degree p = 2 (Strang & Fix 1973)",
-    ))
-}
-
-fn tet10_chime() -> Result<Row, CheckError> {
-    let grid = TubeGrid {
-        around: 12,
-        along: 24,
-    };
-    let mesh = tube_tet10(&CHIME, grid, 1);
-    let tetrahedra = assemble(&mesh, &aluminium(), TetMass::Consistent)?;
+    let hz = [hz(1)?, hz(2)?, hz(4)?];
     let converged = CyclicTube::new(&CHIME, SHIPPED.grid(&CHIME), &aluminium())?;
-    Ok(Row::relative(
-        "0.505 m chime in 3,528 nodes of 10-node tetrahedra: fundamental",
-        (
-            lowest(&converged.pencil(1), 0)?,
-            lowest(&tetrahedra, 0)?,
-            "Hz",
+    Ok([
+        Row::absolute(
+            "10-node tetrahedra, order of the error of bending 1",
+            (4.0, order(hz), ""),
+            0.2,
+            "h^2p for elements of degree p = 2 (Strang & Fix 1973)",
         ),
-        1e-3,
-        "20-node hexahedra, converged",
-    ))
+        Row::relative(
+            "0.505 m chime in 3,528 nodes of 10-node tetrahedra: fundamental",
+            (lowest(&converged.pencil(1), 0)?, hz[1], "Hz"),
+            1e-3,
+            "20-node hexahedra, converged",
+        ),
+    ])
 }
 
 fn halved() -> Result<Row, CheckError> {

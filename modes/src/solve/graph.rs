@@ -60,7 +60,7 @@ pub(super) fn compressed(pattern: &Pattern) -> (Graph, Vec<u32>) {
     let below = |j: usize| &pattern.rows[pattern.column(j)];
     let mut first = Vec::new();
     let mut vertex = vec![u32::MAX; n];
-    for (j, number) in (0u32..).zip(0..n).map(|(j, at)| (at, j)) {
+    for (number, j) in (0u32..).zip(0..n) {
         let twins = j > 0
             && below(j - 1)[1..] == *below(j)
             && above[j] == above[j - 1].wrapping_add(hash(j - 1));
@@ -72,8 +72,8 @@ pub(super) fn compressed(pattern: &Pattern) -> (Graph, Vec<u32>) {
     first.push(u32::try_from(n).expect("unknowns are numbered in 32 bits"));
     let count = first.len() - 1;
     let edges = |visit: &mut dyn FnMut(usize, u32)| {
-        for v in 0..count {
-            for &row in &below(first[v] as usize)[1..] {
+        for (v, &unknown) in first[..count].iter().enumerate() {
+            for &row in &below(unknown as usize)[1..] {
                 let other = vertex[row as usize];
                 if other != u32::MAX {
                     visit(v, other);

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 const MAX_RESIDUAL: f64 = 1e-5;
 
 /// Relative residual above which rounding is taken out of a mode once more.
-const ROUGH: f64 = 1e-9;
+const ROUGH: f64 = 5e-9;
 
 /// An eigenvalue is a rigid motion's if its frequency is below this.
 const RIGID_HZ: f64 = 1.0;
