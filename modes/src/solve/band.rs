@@ -1,13 +1,16 @@
-//! All modes of a band: solved, counted, checked.
+//! All modes of a band: solved and counted.
 
-use super::SolveError;
 use super::dense;
 use super::factor::Symbolic;
-use super::lanczos::Lanczos;
+use super::lanczos::{Lanczos, RitzSet};
 use super::panel::{self, WIDTH};
-use super::sparse::{Mass, forces_and_inertias};
+use super::shift::{SHIFT, TOLERANCE};
+use super::sparse::Mass;
+use super::verify::{Found, verify};
+use super::{SolveError, Watch};
 use crate::fem::Pencil;
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 /// Undamped frequencies to look for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,23 +69,6 @@ pub struct Solution {
 /// Pencils of fewer unknowns than this are solved densely.
 const DENSE_BELOW: usize = 300;
 
-/// Largest residual of the inverse operator that counts as converged, relative to its eigenvalue.
-const TOLERANCE: f64 = 4e-9;
-
-/// Shift below the spectrum, as the frequency whose −ω² it is: near the lowest modes, yet far enough
-/// from the rigid motions for K − σM to be well conditioned and for them not to outweigh the rest.
-const SHIFT_HZ: f64 = 1000.0;
-
-/// Largest relative residual that a mode may have. Rounding alone leaves some 10⁻¹⁶ times the ratio
-/// of the mesh's highest eigenvalue to the mode's: 3·10⁻⁷ for the lowest mode of a tube of 1.5 m.
-const MAX_RESIDUAL: f64 = 1e-5;
-
-/// Relative residual above which rounding is taken out of a mode once more.
-const ROUGH: f64 = 1e-9;
-
-/// An eigenvalue is a rigid motion's if its frequency is below this.
-const RIGID_HZ: f64 = 1.0;
-
 /// Every mode of `pencil` in `band`; none is missed: their number is checked against the inertia of
 /// K − λM at the band's upper end.
 ///
@@ -91,210 +77,126 @@ const RIGID_HZ: f64 = 1.0;
 /// [`SolveError::NotConverged`], [`SolveError::Indefinite`], [`SolveError::Inaccurate`], or
 /// [`SolveError::RigidMotions`] if the number of near-zero eigenvalues is not the pencil's.
 pub fn modes_in_band(pencil: &Pencil, band: Band) -> Result<Solution, SolveError> {
-    let top = (TAU * band.high_hz).powi(2);
+    modes_in_band_with(pencil, band, &())
+}
+
+/// [`modes_in_band`], told to `watch` as it goes.
+///
+/// # Errors
+///
+/// As [`modes_in_band`], and [`SolveError::Cancelled`] when `watch` says so.
+pub fn modes_in_band_with(
+    pencil: &Pencil,
+    band: Band,
+    watch: &dyn Watch,
+) -> Result<Solution, SolveError> {
     if pencil.unknowns() < DENSE_BELOW {
-        let (values, vectors) = dense::generalised(pencil)?;
-        let counted = values.partition_point(|&value| value < top);
-        let panels =
-            panel::from_columns(&vectors[..counted * pencil.unknowns()], pencil.unknowns());
-        // Nothing is left outside all the modes.
-        let correct = |residual: &mut [f64]| residual.fill(0.0);
-        return finish(
-            pencil,
-            band,
-            (&values[..counted], panels),
-            &correct,
-            Solver::Dense,
-        );
+        return densely(pencil, band);
     }
+    // Lanczos converges well within four vectors to a mode.
+    sparsely(pencil, band, watch, |counted| 4 * counted + 60)
+}
+
+fn densely(pencil: &Pencil, band: Band) -> Result<Solution, SolveError> {
+    let n = pencil.unknowns();
+    let (mut values, vectors) = dense::generalised(pencil)?;
+    let top = (TAU * band.high_hz).powi(2);
+    values.truncate(values.partition_point(|&value| value < top));
+    let found = Found {
+        panels: panel::from_columns(&vectors[..values.len() * n], n),
+        values,
+        solver: Solver::Dense,
+    };
+    verify(pencil, band, found, &|residual| residual.fill(0.0))
+}
+
+/// By Lanczos, in a subspace of at most so many vectors to the modes counted.
+fn sparsely(
+    pencil: &Pencil,
+    band: Band,
+    watch: &dyn Watch,
+    largest: impl Fn(usize) -> usize,
+) -> Result<Solution, SolveError> {
+    let tell = |converged, wanted| match watch.converged(converged, wanted) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(SolveError::Cancelled),
+    };
+    let top = (TAU * band.high_hz).powi(2);
     let symbolic = Symbolic::new(pencil);
+    tell(0, 0)?;
     let mut room = symbolic.room();
     let counted = symbolic.count_below(pencil, top, &mut room);
+    tell(0, counted)?;
     if counted == 0 {
-        let solver = Solver::Lanczos { subspace: 0 };
-        return finish(pencil, band, (&[], Vec::new()), &|_| {}, solver);
+        let found = Found {
+            values: Vec::new(),
+            panels: Vec::new(),
+            solver: Solver::Lanczos { subspace: 0 },
+        };
+        return verify(pencil, band, found, &|_| {});
     }
-    let shift = -(TAU * SHIFT_HZ).powi(2);
-    let factor = symbolic.cholesky(pencil, shift, room)?;
+    let factor = symbolic.cholesky(pencil, SHIFT, room)?;
     let mass = Mass::new(pencil, symbolic.place());
-    let mut lanczos = Lanczos::new(&factor, &mass, shift);
-    let largest = (4 * counted + 60).min(pencil.unknowns());
+    let mut lanczos = Lanczos::new(&factor, &mass, SHIFT);
+    let largest = largest(counted).min(pencil.unknowns());
+    // Fewer vectors than modes cannot do.
+    let (mut converged, mut next_look) = (0, counted + WIDTH);
     loop {
+        tell(converged, counted)?;
         lanczos.expand();
         let size = lanczos.size();
-        // Fewer vectors than modes cannot do.
-        if size < counted + WIDTH {
+        let full = size + 2 * WIDTH > largest;
+        if size < next_look && !full {
             continue;
         }
         let ritz = lanczos.ritz();
-        let converged = ritz
-            .pairs
-            .iter()
-            .take_while(|pair| pair.eigenvalue < top && pair.residual < TOLERANCE)
-            .count();
+        converged = ritz.converged(TOLERANCE).min(ritz.below(top));
         if converged >= counted {
-            let found = lanczos.vectors(&ritz, counted);
-            let panels = found.chunks_exact(pencil.unknowns() * WIDTH);
-            let panels = panels
-                .map(|panel| panel::reorder(panel, symbolic.place()))
-                .collect();
-            let values: Vec<f64> = ritz.pairs[..counted].iter().map(|p| p.eigenvalue).collect();
-            let solver = Solver::Lanczos { subspace: size };
-            let correct = |residual: &mut [f64]| {
-                let mut panel = panel::reorder(residual, symbolic.order());
-                lanczos.solve_outside(&mut panel, &found);
-                residual.copy_from_slice(&panel::reorder(&panel, symbolic.place()));
+            let vectors = lanczos.vectors(&ritz, counted);
+            let panels = vectors.chunks_exact(pencil.unknowns() * WIDTH);
+            let panels = panels.map(|panel| panel::reorder(panel, symbolic.place()));
+            let found = Found {
+                values: ritz.pairs[..counted].iter().map(|p| p.eigenvalue).collect(),
+                panels: panels.collect(),
+                solver: Solver::Lanczos { subspace: size },
             };
-            return finish(pencil, band, (&values, panels), &correct, solver);
+            return verify(pencil, band, found, &|residual| {
+                let mut panel = panel::reorder(residual, symbolic.order());
+                lanczos.solve_outside(&mut panel, &vectors);
+                residual.copy_from_slice(&panel::reorder(&panel, symbolic.place()));
+            });
         }
-        if size + 2 * WIDTH > largest {
+        if full {
             return Err(SolveError::NotConverged {
                 converged,
                 wanted: counted,
                 subspace: size,
+                known_below_hz: known_below_hz(pencil, &symbolic, &ritz, converged),
             });
         }
+        // A panel seldom settles as many modes as it has vectors.
+        next_look = size + (counted - converged) / 2;
     }
 }
 
-/// Frequency in Hz of the `index`th elastic mode of `pencil`, counted from 0 above the rigid motions.
-///
-/// # Errors
-///
-/// As [`modes_in_band`].
-pub fn lowest(pencil: &Pencil, index: usize) -> Result<f64, SolveError> {
-    Ok(lowest_of(pencil, index + 1)?[index])
-}
-
-/// Frequencies in Hz of the first `count` elastic modes of `pencil`, rising.
-///
-/// # Errors
-///
-/// As [`modes_in_band`].
-pub fn lowest_of(pencil: &Pencil, count: usize) -> Result<Vec<f64>, SolveError> {
-    let symbolic = Symbolic::new(pencil);
-    let shift = -(TAU * SHIFT_HZ).powi(2);
-    let factor = symbolic.cholesky(pencil, shift, symbolic.room())?;
-    let mass = Mass::new(pencil, symbolic.place());
-    let mut lanczos = Lanczos::new(&factor, &mass, shift);
-    let wanted = pencil.rigid + count;
-    let largest = 4 * wanted + 60;
-    loop {
-        lanczos.expand();
-        let size = lanczos.size();
-        if size < wanted + 2 {
-            continue;
-        }
-        let ritz = lanczos.ritz();
-        if ritz.pairs.len() >= wanted && ritz.pairs[..wanted].iter().all(|p| p.residual < 1e-9) {
-            let elastic = &ritz.pairs[pencil.rigid..wanted];
-            return Ok(elastic
-                .iter()
-                .map(|pair| pair.eigenvalue.max(0.0).sqrt() / TAU)
-                .collect());
-        }
-        if size > largest {
-            let converged = ritz.pairs.iter().take_while(|p| p.residual < 1e-9).count();
-            return Err(SolveError::NotConverged {
-                converged,
-                wanted,
-                subspace: size,
-            });
-        }
-    }
-}
-
-/// Drops rigid motions and what lies below the band; measures residuals and orthonormality. Where
-/// rounding left a mode too rough, takes away what `correct`, (K − σM)⁻¹ beside the modes, makes of its residual.
-fn finish(
+/// Frequency below which the first `converged` of `ritz`, or fewer, are all modes that there are.
+pub(super) fn known_below_hz(
     pencil: &Pencil,
-    band: Band,
-    (values, mut panels): (&[f64], Vec<Vec<f64>>),
-    correct: &dyn Fn(&mut [f64]),
-    solver: Solver,
-) -> Result<Solution, SolveError> {
-    let rigid_top = (TAU * RIGID_HZ).powi(2);
-    let found = values.partition_point(|&value| value < rigid_top);
-    if found != pencil.rigid {
-        return Err(SolveError::RigidMotions {
-            found,
-            expected: pencil.rigid,
-        });
-    }
-    let bottom = (TAU * band.low_hz).powi(2);
-    let (mut modes, mut orthonormality) = (Vec::new(), 0.0f64);
-    let mut forces = vec![0.0; pencil.unknowns() * WIDTH];
-    let mut inertias = forces.clone();
-    for (p, values) in values.chunks(WIDTH).enumerate() {
-        forces_and_inertias(pencil, &panels[p], &mut forces, &mut inertias);
-        if residuals(&forces, &inertias, values)
-            .iter()
-            .zip(values)
-            .any(|(residual, value)| *value >= rigid_top && *residual > ROUGH)
-        {
-            let mut rough = excess(&forces, &inertias, values);
-            correct(&mut rough);
-            for (entry, rough) in panels[p].iter_mut().zip(rough) {
-                *entry -= rough;
-            }
-            forces_and_inertias(pencil, &panels[p], &mut forces, &mut inertias);
+    symbolic: &Symbolic,
+    ritz: &RitzSet,
+    mut converged: usize,
+) -> f64 {
+    let mut room = symbolic.room();
+    while converged > 0 {
+        let last = ritz.pairs[converged - 1].eigenvalue;
+        let next = ritz.pairs.get(converged).map_or(last, |p| p.eigenvalue);
+        let between = 0.5 * (last + next);
+        if symbolic.count_below(pencil, between, &mut room) == converged {
+            return between.max(0.0).sqrt() / TAU;
         }
-        for (q, other) in panels[..=p].iter().enumerate() {
-            for (at, entry) in panel::inner(other, &inertias).into_iter().enumerate() {
-                let (i, j) = (at / WIDTH, at % WIDTH);
-                if j < values.len() {
-                    let expected = f64::from(u8::from(p == q && i == j));
-                    orthonormality = orthonormality.max((entry - expected).abs());
-                }
-            }
-        }
-        let residuals = residuals(&forces, &inertias, values);
-        let columns = panel::columns(&panels[p]);
-        for ((&value, residual), vector) in values.iter().zip(residuals).zip(columns) {
-            if value >= bottom.max(rigid_top) {
-                modes.push(Eigenmode {
-                    hz: value.sqrt() / TAU,
-                    residual,
-                    vector,
-                });
-            }
-        }
+        converged /= 2;
     }
-    if let Some(mode) = modes.iter().find(|mode| mode.residual > MAX_RESIDUAL) {
-        return Err(SolveError::Inaccurate {
-            hz: mode.hz,
-            residual: mode.residual,
-            allowed: MAX_RESIDUAL,
-        });
-    }
-    Ok(Solution {
-        modes,
-        counted: values.len(),
-        orthonormality,
-        solver,
-    })
-}
-
-/// Kφ − λMφ for the vectors of a panel; zero where there is none.
-fn excess(forces: &[f64], inertias: &[f64], values: &[f64]) -> Vec<f64> {
-    let entry = |at: usize| {
-        values
-            .get(at % WIDTH)
-            .map_or(0.0, |value| forces[at] - value * inertias[at])
-    };
-    (0..forces.len()).map(entry).collect()
-}
-
-/// ‖Kφ − λMφ‖ / ‖Kφ‖ of the vectors of a panel.
-fn residuals(forces: &[f64], inertias: &[f64], values: &[f64]) -> [f64; WIDTH] {
-    let mut sums = [(0.0, 0.0); WIDTH];
-    for (force, inertia) in forces.chunks_exact(WIDTH).zip(inertias.chunks_exact(WIDTH)) {
-        for (c, &value) in values.iter().enumerate() {
-            sums[c].0 += (force[c] - value * inertia[c]).powi(2);
-            sums[c].1 += force[c] * force[c];
-        }
-    }
-    sums.map(|(error, force): (f64, f64)| (error / force).sqrt())
+    0.0
 }
 
 #[cfg(test)]
@@ -305,6 +207,8 @@ mod tests {
     use crate::fem::{Pencil, TetMass, assemble};
     use crate::mesh::{TubeGrid, tube_hex20};
     use crate::shape::Tube;
+    use crate::solve::lowest;
+    use std::cell::{Cell, RefCell};
 
     fn coarse_chime() -> Pencil {
         let grid = TubeGrid {
@@ -400,6 +304,56 @@ mod tests {
             assert!((mode.hz / 1_000.0 - 1.0).abs() < 1e-12, "{}", mode.hz);
         }
         assert!(solution.orthonormality < 1e-12);
+    }
+
+    #[test]
+    fn whoever_watches_is_told_and_may_cancel() {
+        let pencil = coarse_chime();
+        let told = RefCell::new(Vec::new());
+        let listen = |converged: usize, wanted: usize| {
+            told.borrow_mut().push((converged, wanted));
+            ControlFlow::Continue(())
+        };
+        let solution = modes_in_band_with(&pencil, Band::AUDIBLE, &listen).unwrap();
+        let told = told.into_inner();
+        assert_eq!(told[0], (0, 0));
+        assert!(told[1..].iter().all(|&(_, w)| w == solution.counted));
+        assert!(told.is_sorted());
+        assert!(told.iter().any(|&(converged, _)| converged > 0));
+        for allowed in 0..told.len() {
+            let calls = Cell::new(0);
+            let cancel = |_: usize, _: usize| {
+                calls.set(calls.get() + 1);
+                if calls.get() > allowed {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
+                }
+            };
+            let error = modes_in_band_with(&pencil, Band::AUDIBLE, &cancel).unwrap_err();
+            assert_eq!(error, SolveError::Cancelled);
+        }
+    }
+
+    #[test]
+    fn stopping_short_tells_what_is_safe() {
+        let pencil = coarse_chime();
+        let all = modes_in_band(&pencil, Band::AUDIBLE).unwrap();
+        let error = sparsely(&pencil, Band::AUDIBLE, &(), |counted| 2 * counted).unwrap_err();
+        let text = error.to_string();
+        let SolveError::NotConverged {
+            converged,
+            wanted,
+            known_below_hz,
+            ..
+        } = error
+        else {
+            panic!("{text}");
+        };
+        assert_eq!(wanted, all.counted);
+        let known = all.modes.partition_point(|mode| mode.hz < known_below_hz);
+        assert!(known > 0 && known + 6 <= converged, "{text}");
+        assert!(text.contains(&format!("{known_below_hz:.1} Hz")), "{text}");
     }
 
     #[test]

@@ -249,3 +249,63 @@ fn search(graph: &Graph, from: u32) -> Vec<Vec<u32>> {
     }
     levels
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::graph::compressed;
+    use super::*;
+    use crate::fem::Pattern;
+
+    /// A strip of squares with their diagonals.
+    fn strip(width: u32, length: u32) -> Graph {
+        let columns: Vec<Vec<u32>> = (0..width * length)
+            .map(|v| {
+                let (x, y) = (v % width, v / width);
+                let mut rows = vec![v];
+                if x + 1 < width {
+                    rows.push(v + 1);
+                }
+                if y + 1 < length {
+                    rows.extend(
+                        (x.saturating_sub(1)..=(x + 1).min(width - 1)).map(|x| (y + 1) * width + x),
+                    );
+                }
+                rows
+            })
+            .collect();
+        compressed(&Pattern::from_columns(&columns)).0
+    }
+
+    #[test]
+    fn a_strip_is_cut_across() {
+        let graph = strip(20, 90);
+        let cut = Cut::new(&graph);
+        assert_eq!(cut.separator(), 20);
+        for v in 0..graph.len() {
+            if cut.sides[v] == Side::Left {
+                assert_eq!(cut.on(v, Side::Right), 0);
+            }
+        }
+        let least = SHARE * graph.len() as f64;
+        assert!(cut.left as f64 >= least && cut.right as f64 >= least);
+    }
+
+    #[test]
+    fn every_vertex_is_eliminated_once() {
+        let plain = |piece: &Graph| (0..u32::try_from(piece.len()).unwrap()).collect();
+        for graph in [strip(1, 1), strip(3, 30), strip(40, 40)] {
+            let n = graph.len();
+            let mut order = nested_dissection(graph, &plain);
+            order.sort_unstable();
+            assert!(order.into_iter().eq(0..u32::try_from(n).unwrap()));
+        }
+    }
+
+    /// Uncoupled unknowns have no levels to cut at.
+    #[test]
+    fn pieces_that_do_not_touch_need_no_separator() {
+        let columns: Vec<_> = (0..200).map(|v| vec![v]).collect();
+        let graph = compressed(&Pattern::from_columns(&columns)).0;
+        assert_eq!(Cut::new(&graph).separator(), 0);
+    }
+}

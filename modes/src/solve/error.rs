@@ -13,7 +13,10 @@ pub enum SolveError {
     #[error("the stiffness matrix is not positive semi-definite; check the material")]
     Indefinite,
     /// The eigen solver stopped short.
-    #[error("{converged} of {wanted} modes converged in a subspace of {subspace}")]
+    #[error(
+        "{converged} of {wanted} modes converged in a subspace of {subspace}; \
+         every mode below {known_below_hz:.1} Hz is known: end the band there, or coarsen the mesh"
+    )]
     NotConverged {
         /// Modes that met the tolerance.
         converged: usize,
@@ -21,6 +24,8 @@ pub enum SolveError {
         wanted: usize,
         /// Vectors used.
         subspace: usize,
+        /// Frequency below which the converged modes are all there are, by the inertia count.
+        known_below_hz: f64,
     },
     /// A mode came out that does not solve its equation well enough.
     #[error(

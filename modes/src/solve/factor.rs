@@ -195,3 +195,38 @@ pub fn count_below(pencil: &Pencil, hz: f64) -> usize {
     let symbolic = Symbolic::new(pencil);
     symbolic.count_below(pencil, omega * omega, &mut symbolic.room())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::panel::{WIDTH, columns, from_columns, reorder};
+    use super::*;
+    use crate::TABLE_1;
+    use crate::fem::{TetMass, assemble};
+    use crate::mesh::{TubeGrid, tube_tet4};
+    use crate::shape::Tube;
+
+    /// On meshes ordered by minimum degree and by dissection.
+    #[test]
+    fn solving_undoes_multiplying() {
+        for along in [10, 30] {
+            let grid = TubeGrid { around: 40, along };
+            let mesh = tube_tet4(&Tube::D5, grid, 1);
+            let material = &TABLE_1[0].material;
+            let pencil = assemble(&mesh, material, TetMass::Consistent).unwrap();
+            let n = pencil.unknowns();
+            let shift = -1e9;
+            let symbolic = Symbolic::new(&pencil);
+            let factor = symbolic.cholesky(&pencil, shift, symbolic.room()).unwrap();
+            let x: Vec<f64> = (0..n * WIDTH).map(|i| (i as f64).sin()).collect();
+            let mut product = vec![0.0; x.len()];
+            pencil.multiply(&shifted(&pencil, shift), &x, &mut product);
+            let panel = from_columns(&product, n).remove(0);
+            let mut panel = reorder(&panel, symbolic.order());
+            factor.solve(&mut panel);
+            let back = columns(&reorder(&panel, symbolic.place())).concat();
+            for (found, expected) in back.iter().zip(&x) {
+                assert!((found - expected).abs() < 1e-7, "{found} {expected}");
+            }
+        }
+    }
+}

@@ -60,7 +60,7 @@ pub(super) fn compressed(pattern: &Pattern) -> (Graph, Vec<u32>) {
     let below = |j: usize| &pattern.rows[pattern.column(j)];
     let mut first = Vec::new();
     let mut vertex = vec![u32::MAX; n];
-    for (j, number) in (0u32..).zip(0..n).map(|(j, at)| (at, j)) {
+    for (number, j) in (0u32..).zip(0..n) {
         let twins = j > 0
             && below(j - 1)[1..] == *below(j)
             && above[j] == above[j - 1].wrapping_add(hash(j - 1));
@@ -72,8 +72,8 @@ pub(super) fn compressed(pattern: &Pattern) -> (Graph, Vec<u32>) {
     first.push(u32::try_from(n).expect("unknowns are numbered in 32 bits"));
     let count = first.len() - 1;
     let edges = |visit: &mut dyn FnMut(usize, u32)| {
-        for v in 0..count {
-            for &row in &below(first[v] as usize)[1..] {
+        for (v, &unknown) in first[..count].iter().enumerate() {
+            for &row in &below(unknown as usize)[1..] {
                 let other = vertex[row as usize];
                 if other != u32::MAX {
                     visit(v, other);
@@ -86,8 +86,10 @@ pub(super) fn compressed(pattern: &Pattern) -> (Graph, Vec<u32>) {
         start[a + 1] += 1;
         start[b as usize + 1] += 1;
     });
-    for v in 0..count {
-        start[v + 1] += start[v];
+    let mut total = 0;
+    for first in &mut start {
+        total += *first;
+        *first = total;
     }
     let mut next = start.clone();
     let mut neighbours = vec![0; start[count] as usize];
@@ -105,4 +107,39 @@ fn hash(index: usize) -> u64 {
     let mut z = (index as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z ^ (z >> 27)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TABLE_1;
+    use crate::fem::{TetMass, assemble};
+    use crate::mesh::{TubeGrid, tube_tet4};
+    use crate::shape::Tube;
+
+    #[test]
+    fn a_mesh_comes_back_as_its_nodes() {
+        let grid = TubeGrid {
+            around: 8,
+            along: 5,
+        };
+        let mesh = tube_tet4(&Tube::D5, grid, 1);
+        let pencil = assemble(&mesh, &TABLE_1[0].material, TetMass::Lumped).unwrap();
+        let (graph, first) = compressed(&pencil.pattern);
+        assert_eq!(graph.len(), mesh.nodes.len());
+        assert!(first.iter().enumerate().all(|(v, &f)| f as usize == 3 * v));
+        let mut expected: Vec<u32> = mesh
+            .elements
+            .iter()
+            .filter(|tet| tet.contains(&7))
+            .flatten()
+            .copied()
+            .filter(|&node| node != 7)
+            .collect();
+        expected.sort_unstable();
+        expected.dedup();
+        let mut neighbours = graph.neighbours(7).to_vec();
+        neighbours.sort_unstable();
+        assert_eq!(neighbours, expected);
+    }
 }

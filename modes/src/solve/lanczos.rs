@@ -51,6 +51,19 @@ pub(super) struct RitzSet {
     coefficients: Vec<f64>,
 }
 
+impl RitzSet {
+    /// Pairs from the lowest on whose residuals are below `tolerance`.
+    pub(super) fn converged(&self, tolerance: f64) -> usize {
+        let good = |pair: &&Ritz| pair.residual < tolerance;
+        self.pairs.iter().take_while(good).count()
+    }
+
+    /// Pairs whose λ is below `top`.
+    pub(super) fn below(&self, top: f64) -> usize {
+        self.pairs.partition_point(|pair| pair.eigenvalue < top)
+    }
+}
+
 impl<'a> Lanczos<'a> {
     /// Starts from a fixed pseudo-random panel.
     pub(super) fn new(factor: &'a Cholesky<'a>, mass: &'a Mass, shift: f64) -> Self {

@@ -189,3 +189,51 @@ pub(super) fn reorder(panel: &[f64], place: &[u32]) -> Vec<f64> {
     let rows = panel.as_chunks::<WIDTH>().0;
     place.iter().flat_map(|&i| rows[i as usize]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// More rows than are multiplied at once, and not a whole number of pieces.
+    const N: usize = ROWS + 44;
+
+    fn panels(count: usize, seed: usize) -> Vec<f64> {
+        let entry = |i: usize| ((i * 7919 + seed) % 1009) as f64 / 1009.0 - 0.5;
+        (0..count * N * WIDTH).map(entry).collect()
+    }
+
+    #[test]
+    fn products_are_those_of_plain_loops() {
+        let (x, y, z) = (panels(3, 1), panels(1, 2), panels(1, 3));
+        let at = |panels: &[f64], i: usize, column: usize| {
+            panels[(column / WIDTH * N + i) * WIDTH + column % WIDTH]
+        };
+        let products = inner_with(&x, [&y, &z]);
+        for (product, y) in products.iter().zip([&y, &z]) {
+            for i in 0..3 * WIDTH {
+                for j in 0..WIDTH {
+                    let expected: f64 = (0..N).map(|k| at(&x, k, i) * at(y, k, j)).sum();
+                    assert!((product[i * WIDTH + j] - expected).abs() < 1e-12, "{i} {j}");
+                }
+            }
+        }
+        let mut sum = y.clone();
+        subtract_product(&mut sum, &x, &products[0]);
+        for k in 0..N {
+            for j in 0..WIDTH {
+                let known = (0..3 * WIDTH).map(|i| at(&x, k, i) * products[0][i * WIDTH + j]);
+                let expected = at(&y, k, j) - known.sum::<f64>();
+                assert!((at(&sum, k, j) - expected).abs() < 1e-11, "{k} {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn columns_come_back() {
+        let columns: Vec<f64> = (0..11 * 5).map(f64::from).collect();
+        let panels = from_columns(&columns, 5);
+        assert_eq!(panels.len(), 2);
+        let back = panels.iter().flat_map(|panel| super::columns(panel));
+        assert_eq!(back.take(11).flatten().collect::<Vec<_>>(), columns);
+    }
+}
