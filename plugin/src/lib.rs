@@ -13,8 +13,9 @@ mod workshop;
 
 use nice_plug::prelude::{
     ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,
-    ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, ProcessContext, ProcessStatus,
-    RemoteControlsContext, RemoteControlsPage, RemoteControlsSection, Vst3Plugin, Vst3SubCategory,
+    ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, ProcessContext, ProcessMode,
+    ProcessStatus, RemoteControlsContext, RemoteControlsPage, RemoteControlsSection, Vst3Plugin,
+    Vst3SubCategory,
 };
 use params::Controls;
 use player::Player;
@@ -64,7 +65,11 @@ impl Plugin for Idiophone {
     ) -> bool {
         let rate_hz = f64::from(buffer.sample_rate);
         self.workshop = Some(Workshop::open(rate_hz));
-        self.player = Some(Player::new(Stage::new(self.controls.instrument(), rate_hz)));
+        let stage = Stage::new(self.controls.instrument(), rate_hz);
+        self.player = Some(Player::new(match buffer.process_mode {
+            ProcessMode::Offline => stage.patient(),
+            ProcessMode::Realtime | ProcessMode::Buffered => stage,
+        }));
         true
     }
 

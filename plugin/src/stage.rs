@@ -11,6 +11,9 @@ const RINGING: usize = 4;
 ///
 /// Only [`Stage::new`] allocates.
 pub(crate) struct Stage {
+    /// Whether to wait for an instrument, as when rendering offline: then it enters at the sample
+    /// where it was asked for.
+    patient: bool,
     engine: Box<Engine>,
     index: usize,
     /// The last index asked for.
@@ -24,12 +27,21 @@ impl Stage {
     /// The instrument of that index, at rest.
     pub(crate) fn new(index: usize, rate_hz: f64) -> Self {
         Self {
+            patient: false,
             engine: Box::new(Engine::new(factory::bank(index), rate_hz)),
             index,
             wanted: index,
             ringing: [const { None }; RINGING],
             settings: Settings::default(),
             pedal: false,
+        }
+    }
+
+    /// The same, but waiting for instruments, which is not for a real-time thread.
+    pub(crate) fn patient(self) -> Self {
+        Self {
+            patient: true,
+            ..self
         }
     }
 
@@ -54,7 +66,14 @@ impl Stage {
             }
             return;
         };
-        match bench.fetch() {
+        let ready = if self.patient {
+            let ready = bench.wait();
+            self.patient = ready.is_some();
+            ready
+        } else {
+            bench.fetch()
+        };
+        match ready {
             Some((index, engine)) if index == self.wanted => self.enter(slot, index, engine),
             // Asked for before the last change of mind: it rings out at once, being silent.
             Some((_, engine)) => {
@@ -147,6 +166,7 @@ fn add(sum: &mut [f32], more: &[f32]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::workshop::Workshop;
 
     fn render(stage: &mut Stage, frames: usize) -> Vec<f32> {
         let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
@@ -184,6 +204,16 @@ mod tests {
         stage.turn(1, &bench);
         assert!(stage.ringing.iter().all(Option::is_none));
         assert!(bench.work(), "taken apart");
+    }
+
+    #[test]
+    fn a_patient_stage_turns_at_once() {
+        let workshop = Workshop::open(48_000.0);
+        let mut stage = Stage::new(0, 48_000.0).patient();
+        for wanted in [1, 2, 0] {
+            stage.turn(wanted, &workshop);
+            assert_eq!(stage.index, wanted);
+        }
     }
 
     #[test]

@@ -10,9 +10,13 @@ use std::ops::Deref;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::thread::{self, JoinHandle, Thread};
+use std::time::{Duration, Instant};
 
 /// Instruments that may wait to be taken apart.
 const SPENT: usize = 8;
+
+/// A hundred times what an instrument takes.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// No instrument is asked for.
 const NONE: usize = usize::MAX;
@@ -52,6 +56,18 @@ impl Bench {
     /// The last instrument that was made ready, once.
     pub(crate) fn fetch(&self) -> Option<Ready> {
         self.ready.pop()
+    }
+
+    /// Blocks until the instrument that was asked for is ready; `None` if that takes too long.
+    pub(crate) fn wait(&self) -> Option<Ready> {
+        let start = Instant::now();
+        while start.elapsed() < PATIENCE {
+            if let ready @ Some(_) = self.fetch() {
+                return ready;
+            }
+            thread::sleep(Duration::from_millis(1));
+        }
+        None
     }
 
     /// Hands over an instrument to be taken apart; back, if there is no room.
@@ -132,8 +148,7 @@ impl Drop for Workshop {
 
 #[cfg(test)]
 mod tests {
-    use super::Workshop;
-    use std::time::{Duration, Instant};
+    use super::*;
 
     #[test]
     fn an_open_workshop_delivers_and_closes() {

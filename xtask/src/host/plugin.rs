@@ -5,6 +5,7 @@ use super::handlers::{Handlers, MainThread, Shared};
 use super::{Event, Library, Param, ParamId};
 use anyhow::{Context, Result, anyhow, bail};
 use clack_extensions::params::{ParamInfoBuffer, ParamInfoFlags, PluginParams};
+use clack_extensions::render::{PluginRender, RenderMode};
 use clack_extensions::state::PluginState;
 use clack_host::prelude::*;
 use std::ffi::CString;
@@ -30,7 +31,12 @@ impl Plugin {
             &host,
         )
         .with_context(|| format!("{}: refuses to start", library.path.display()))?;
-        let params = instance.plugin_handle().get_extension();
+        let handle = instance.plugin_handle();
+        let params = handle.get_extension();
+        if let Some(render) = handle.get_extension::<PluginRender>() {
+            // Nobody listens while it plays: the plug-in may take its time.
+            render.set(&handle, RenderMode::Offline)?;
+        }
         Ok(Self {
             processor: None,
             instance,
