@@ -1,11 +1,13 @@
 //! From a recipe to a bank, all keys at once, and the folder where built banks are kept.
 
 mod body;
+mod bowls;
 mod build;
 mod cache;
 mod progress;
 mod sound;
 
+pub(crate) use body::halved;
 pub use build::{BuildError, build};
 pub use cache::{Built, CacheError, cached};
 pub use progress::{Progress, Silent};

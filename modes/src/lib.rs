@@ -50,8 +50,8 @@ pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
-    ImperfectionRecipe, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe, RecipeError,
-    RecipeFileError, ResonatorRecipe, ShapeRecipe, TuningRecipe,
+    ImperfectionRecipe, ImperfectionSize, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe,
+    RecipeError, RecipeFileError, ResonatorRecipe, ShapeRecipe, TuningRecipe,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;

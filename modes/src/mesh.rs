@@ -1,10 +1,14 @@
 //! Nodes and the elements that join them.
 
 mod bar;
+mod cells;
+mod revolve;
 mod surface;
 mod tube;
 
 pub use bar::{BarGrid, BarPart, bar_hex20};
+pub use cells::{cells_hex20, hollow_cube_hex20};
+pub use revolve::revolve_hex20;
 pub use tube::{TubeGrid, tube_hex20, tube_tet4, tube_tet10};
 
 /// A volume mesh of one kind of element.
@@ -36,4 +40,9 @@ impl Elements {
             Self::Hex20(elements) => Box::new(elements.iter().map(<[u32; 20]>::as_slice)),
         }
     }
+}
+
+/// A node's number.
+fn number(index: usize) -> u32 {
+    u32::try_from(index).expect("meshes have fewer than 2^32 nodes")
 }

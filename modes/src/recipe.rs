@@ -112,10 +112,19 @@ pub struct ResonatorRecipe {
 /// A small mass on the rim (or the top end).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImperfectionRecipe {
-    /// Its share of the body's mass.
-    pub mass_share: f64,
+    /// How large it is.
+    pub size: ImperfectionSize,
     /// Its angle from the strike line, in degrees.
     pub angle_deg: f64,
+}
+
+/// How large an imperfection is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ImperfectionSize {
+    /// Its share of the body's mass, the same for all keys.
+    MassShare(f64),
+    /// Enough to make the lowest pair of modes beat so often a second, in Hz, at all keys.
+    BeatHz(f64),
 }
 
 /// Where the listener's head is, ears 20 cm apart, before the middle of the row.

@@ -1,9 +1,7 @@
-//! Free tubes: cut to a pitch, and solved for every audible mode.
+//! Free tubes, cut to a pitch.
 
-mod body;
 mod tune;
 
-pub use body::{TubeModes, tube_modes};
 pub use tune::{TubeTuning, TuneError, predicted_length_m, tune_tube};
 
 use crate::mesh::TubeGrid;

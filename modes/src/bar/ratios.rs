@@ -3,7 +3,7 @@
 use super::BarStock;
 use crate::equal_temperament_hz;
 
-/// F5, up to which the partials stay at 1 : 4 : 10.
+/// F5, up to which the ratios of the partials stay.
 const LAST_STRAIGHT_KEY: u8 = 77;
 
 /// F6, the highest key of a vibraphone.
@@ -27,13 +27,15 @@ fn top_octave(key: u8) -> f64 {
 
 /// Frequencies of the second and third bending modes as multiples of the first.
 ///
-/// 4 and 10 up to F5, then falling by equal steps a key to 3.5 and 6.5 at F6, as bars of Musser M55
-/// and Ross sets do (wyndorps.de, E_DIY_01; their third mode starts from 11 at the bottom, where 10
-/// is what makers name); 3.5 and 6.5 above.
+/// 4.01 and 10.17 up to F5, then falling by equal steps a key to 3.5 and 6.5 at F6, as bars of Musser
+/// M55 and Ross sets do (wyndorps.de, E_DIY_01); 3.5 and 6.5 above. Makers name 4 and 10; the bars of
+/// those sets have 4 and up to 11, recorded bars 3.98 to 4.06 and 10.13 to 10.33: this is the side
+/// of the makers' figures on which real bars lie.
 #[must_use]
 pub fn vibraphone_ratios(key: u8) -> [f64; 2] {
     let top = top_octave(key);
-    [4.0 - 0.5 * top, 10.0 - 3.5 * top]
+    let mix = |straight: f64, highest: f64| straight + top * (highest - straight);
+    [mix(4.01, 3.5), mix(10.17, 6.5)]
 }
 
 /// The stock that the bar of MIDI `key` is cut from.

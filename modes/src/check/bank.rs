@@ -1,62 +1,120 @@
-//! The chimes bank, built from nothing.
+//! The factory banks, built from nothing.
 
-use super::{CheckError, Row};
+use super::{CheckError, Row, cents, factory, greater};
 use crate::factory::{Silent, build};
-use crate::{Family, Recipe, equal_temperament_hz};
+use crate::{Bank, Family, Member, Recipe, ShapeRecipe};
 use std::time::Instant;
 
+/// What all banks together may weigh, in bytes.
+const MAX_BYTES: f64 = 30e6;
+
+/// Beats in Hz that are heard as such.
+const BEATS_HZ: [f64; 2] = [0.3, 3.0];
+
 pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
-    let (name, text) = Recipe::FACTORY[0];
-    let recipe = Recipe::parse(text, name)?;
-    let start = Instant::now();
-    let bank = build(&recipe, &Silent)?;
-    let seconds = start.elapsed().as_secs_f64();
-    let cents_off = |body: &crate::Body| {
-        let fundamental = body.modes.iter().find(|mode| {
-            mode.label.family == Family::Bending && mode.label.index == recipe.tuning.partial
-        });
-        let pitch_hz = equal_temperament_hz(body.key, recipe.tuning.a4_hz);
-        fundamental.map_or(f64::NAN, |mode| 1200.0 * (mode.hz / pitch_hz).log2().abs())
-    };
-    let worst_cents =
-        bank.bodies.iter().map(cents_off).fold(
-            0.0,
-            |worst: f64, cents| if cents <= worst { worst } else { cents },
-        );
-    Ok(vec![
-        Row {
-            name: "chimes: keys with a body".to_owned(),
-            reference: 61.0,
-            value: bank.bodies.len() as f64,
-            unit: "",
-            error: (61.0 - bank.bodies.len() as f64).max(0.0),
-            bound: 0.0,
-            ok: bank.bodies.len() >= 61,
-            source: "the recipe",
-        },
+    let (mut rows, mut seconds, mut bytes) = (Vec::new(), 0.0, 0);
+    for (name, _) in Recipe::FACTORY {
+        let recipe = factory(name)?;
+        let start = Instant::now();
+        let bank = build(&recipe, &Silent)?;
+        seconds += start.elapsed().as_secs_f64();
+        bytes += bank.write().len();
+        rows.extend(quality(&recipe, &bank));
+        if recipe.imperfection.is_some() {
+            rows.extend(beats(&bank));
+        }
+    }
+    rows.push(Row::within(
+        "factory banks together",
+        (0.0, bytes as f64 / 1e6, "MB"),
+        (bytes as f64, MAX_BYTES),
+        "what a plug-in may weigh",
+    ));
+    rows.push(Row::absolute(
+        "factory banks together: time to tune and solve every key",
+        (0.0, seconds, "s"),
+        60.0,
+        "two cores",
+    ));
+    Ok(rows)
+}
+
+fn quality(recipe: &Recipe, bank: &Bank) -> [Row; 4] {
+    let name = &bank.name;
+    let keys = recipe.keys.iter().len() as f64;
+    let off = bank.bodies.iter().map(|body| pitch_off_cents(recipe, body));
+    [
         Row::absolute(
-            "chimes: key farthest from equal temperament",
-            (0.0, worst_cents, "cents"),
+            format!("{name}: keys with a body"),
+            (keys, bank.bodies.len() as f64, ""),
+            0.0,
+            "the recipe",
+        ),
+        Row::absolute(
+            format!("{name}: key farthest from equal temperament"),
+            (0.0, off.fold(0.0, greater), "cents"),
             recipe.tuning.tolerance_cents,
             "A4 = 440 Hz",
         ),
         Row::absolute(
-            "chimes: greatest relative residual",
+            format!("{name}: greatest relative residual"),
             (0.0, bank.provenance.max_residual, ""),
             1e-6,
             "‖Kφ − λMφ‖ / ‖Kφ‖",
         ),
         Row::absolute(
-            "chimes: departure from mass-orthonormality",
+            format!("{name}: departure from mass-orthonormality"),
             (0.0, bank.provenance.max_orthonormality_error, ""),
             1e-12,
             "|ΦᵀMΦ − I|",
         ),
-        Row::absolute(
-            "chimes: time to tune and solve every key",
-            (0.0, seconds, "s"),
-            60.0,
-            "two cores",
-        ),
-    ])
+    ]
+}
+
+/// How far the mode that carries the pitch, or the mean of its pair, is off.
+fn pitch_off_cents(recipe: &Recipe, body: &crate::Body) -> f64 {
+    let carries = |mode: &&crate::Mode| match recipe.shape {
+        ShapeRecipe::Bowl(_) => mode.label.order == 2 && mode.label.index == 1,
+        _ => mode.label.family == Family::Bending && mode.label.index == recipe.tuning.partial,
+    };
+    let modes = body.modes.iter().filter(carries);
+    let (sum_hz, count) = modes.fold((0.0, 0.0), |(sum, n), mode| (sum + mode.hz, n + 1.0));
+    let octaves = f64::from(1 << recipe.tuning.octaves_below);
+    cents(sum_hz / count / octaves, body.pitch_hz)
+}
+
+/// The slowest and the fastest beat of the two lowest pairs of all keys.
+fn beats(bank: &Bank) -> [Row; 2] {
+    let (mut slowest, mut fastest) = (f64::INFINITY, 0.0f64);
+    for body in &bank.bodies {
+        let firsts = body
+            .modes
+            .iter()
+            .filter(|mode| mode.label.member == Member::A);
+        for first in firsts.take(2) {
+            let partner = body.modes.iter().find(|mode| {
+                mode.label.member == Member::B
+                    && (mode.label.family, mode.label.order, mode.label.index)
+                        == (first.label.family, first.label.order, first.label.index)
+            });
+            let beat_hz = partner.map_or(f64::NAN, |partner| (partner.hz - first.hz).abs());
+            slowest = if beat_hz >= slowest { slowest } else { beat_hz };
+            fastest = greater(fastest, beat_hz);
+        }
+    }
+    let row = |what: &str, [bound, value]: [f64; 2], lacks: f64| {
+        Row::within(
+            format!(
+                "{}: {what} beat of the two lowest pairs of all keys",
+                bank.name
+            ),
+            (bound, value, "Hz"),
+            (lacks.max(0.0), 0.0),
+            "real bowls beat slowly",
+        )
+    };
+    [
+        row("slowest", [BEATS_HZ[0], slowest], BEATS_HZ[0] - slowest),
+        row("fastest", [BEATS_HZ[1], fastest], fastest - BEATS_HZ[1]),
+    ]
 }

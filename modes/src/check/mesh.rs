@@ -5,7 +5,6 @@ use crate::fem::{CyclicTube, TetMass, assemble};
 use crate::mesh::{TubeGrid, tube_hex20, tube_tet4, tube_tet10};
 use crate::shape::Tube;
 use crate::solve::{Band, count_below, lowest, modes_in_band};
-use crate::tube::{Fineness, tube_modes};
 
 /// A short thick tube: its mesh can be refined in all directions within seconds.
 const THICK: Tube = Tube {
@@ -17,7 +16,6 @@ const THICK: Tube = Tube {
 pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
     let mut rows = vec![hex_order()?, tet_order()?];
     rows.extend(tet10()?);
-    rows.push(halved()?);
     rows.extend(sector()?);
     Ok(rows)
 }
@@ -91,37 +89,6 @@ fn tet10() -> Result<[Row; 2], CheckError> {
             "20-node hexahedra, converged",
         ),
     ])
-}
-
-fn halved() -> Result<Row, CheckError> {
-    let finer = Fineness {
-        around: 2 * SHIPPED.around,
-        max_element_m: 0.5 * SHIPPED.max_element_m,
-    };
-    let band = Band {
-        high_hz: 10_000.0,
-        ..Band::AUDIBLE
-    };
-    let shipped = tube_modes(&CHIME, &aluminium(), SHIPPED, band)?;
-    let fine = tube_modes(&CHIME, &aluminium(), finer, band)?;
-    let cents = shipped
-        .modes
-        .iter()
-        .map(|mode| {
-            let twin = fine.modes.iter().find(|other| other.label == mode.label);
-            twin.map_or(f64::NAN, |twin| 1200.0 * (mode.hz / twin.hz).log2().abs())
-        })
-        // `max` would drop a NaN.
-        .fold(
-            0.0,
-            |worst: f64, cents| if cents <= worst { worst } else { cents },
-        );
-    Ok(Row::absolute(
-        "0.505 m chime, mesh halved: greatest move of a mode below 10 kHz",
-        (0.0, cents, "cents"),
-        3.0,
-        "convergence",
-    ))
 }
 
 fn sector() -> Result<Vec<Row>, CheckError> {

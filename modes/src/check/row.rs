@@ -32,7 +32,7 @@ impl Row {
         source: &'static str,
     ) -> Self {
         let error = (value / reference - 1.0).abs();
-        Self::new(name, (reference, value, unit), (error, bound), source)
+        Self::within(name, (reference, value, unit), (error, bound), source)
     }
 
     /// A figure that may be off by `bound` in its own unit.
@@ -43,10 +43,11 @@ impl Row {
         source: &'static str,
     ) -> Self {
         let error = (value - reference).abs();
-        Self::new(name, (reference, value, unit), (error, bound), source)
+        Self::within(name, (reference, value, unit), (error, bound), source)
     }
 
-    fn new(
+    /// A figure that is off by `error`, and may be by `bound`, by a measure that the name tells.
+    pub(super) fn within(
         name: impl Into<String>,
         (reference, value, unit): (f64, f64, &'static str),
         (error, bound): (f64, f64),

@@ -1,6 +1,6 @@
 //! Bars against what they are tuned to, the quarter models against the whole mesh.
 
-use super::{CheckError, Row, aluminium};
+use super::{CheckError, Row, aluminium, cents, greater};
 use crate::bar::{
     BarFineness, BarPartials, BarTuning, bar_modes, bar_partials, tune_bar, vibraphone_ratios,
     vibraphone_stock,
@@ -27,17 +27,14 @@ const O_BRIEN_HZ: f64 = 187.0;
 pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
     let mut rows = curve()?;
     rows.extend(o_brien()?);
-    for (name, key) in [("F3", 53), ("F♯3", F_SHARP_3), ("F5", 77), ("F6", 89)] {
-        rows.push(halved(name, key)?);
-    }
     rows.push(whole()?);
     Ok(rows)
 }
 
-fn tuned(key: u8, pitch_hz: f64) -> Result<Bar, CheckError> {
+fn tuned(key: u8, pitch_hz: f64, ratios: [f64; 2]) -> Result<Bar, CheckError> {
     let tuning = BarTuning {
         pitch_hz,
-        ratios: vibraphone_ratios(key),
+        ratios,
         tolerance_cents: 1.0,
     };
     Ok(tune_bar(
@@ -48,17 +45,15 @@ fn tuned(key: u8, pitch_hz: f64) -> Result<Bar, CheckError> {
     )?)
 }
 
-fn partials(key: u8, pitch_hz: f64) -> Result<BarPartials, CheckError> {
-    Ok(bar_partials(&tuned(key, pitch_hz)?, &aluminium(), SHIPPED)?)
+fn partials(bar: &Bar) -> Result<BarPartials, CheckError> {
+    Ok(bar_partials(bar, &aluminium(), SHIPPED)?)
 }
 
-/// The greater of two figures; `max` would drop a NaN.
-fn greater(worst: f64, figure: f64) -> f64 {
-    if figure <= worst { worst } else { figure }
-}
-
-fn cents(hz: f64, reference_hz: f64) -> f64 {
-    1200.0 * (hz / reference_hz).log2().abs()
+/// The second and third partial that makers name: 4 and 10 up to F5 (key 77), then by equal steps to
+/// 3.5 and 6.5 at F6.
+fn named_ratios(key: u8) -> [f64; 2] {
+    let top = f64::from(key.saturating_sub(77)) / 12.0;
+    [4.0 - 0.5 * top, 10.0 - 3.5 * top]
 }
 
 fn curve() -> Result<Vec<Row>, CheckError> {
@@ -66,8 +61,8 @@ fn curve() -> Result<Vec<Row>, CheckError> {
     let mut torsion = f64::INFINITY;
     for key in 53..=89 {
         let hz = equal_temperament_hz(key, 440.0);
-        let partials = partials(key, hz)?;
-        let [second, third] = vibraphone_ratios(key);
+        let partials = partials(&tuned(key, hz, vibraphone_ratios(key))?)?;
+        let [second, third] = named_ratios(key);
         for (i, ratio) in [1.0, second, third].into_iter().enumerate() {
             worst[i] = greater(worst[i], cents(partials.bending_hz[i], ratio * hz));
         }
@@ -103,7 +98,7 @@ fn curve() -> Result<Vec<Row>, CheckError> {
 }
 
 fn o_brien() -> Result<Vec<Row>, CheckError> {
-    let partials = partials(F_SHARP_3, O_BRIEN_HZ)?;
+    let partials = partials(&tuned(F_SHARP_3, O_BRIEN_HZ, [4.0, 10.0])?)?;
     let rows = ["fundamental", "second bending mode", "third bending mode"];
     Ok(rows
         .into_iter()
@@ -120,33 +115,8 @@ fn o_brien() -> Result<Vec<Row>, CheckError> {
         .collect())
 }
 
-fn halved(name: &str, key: u8) -> Result<Row, CheckError> {
-    let bar = tuned(key, equal_temperament_hz(key, 440.0))?;
-    let band = Band {
-        high_hz: 10_000.0,
-        ..Band::AUDIBLE
-    };
-    let finer = BarFineness {
-        max_element_m: 0.5 * SHIPPED.max_element_m,
-        across: 2 * SHIPPED.across,
-        through: 2 * SHIPPED.through,
-    };
-    let shipped = bar_modes(&bar, &aluminium(), SHIPPED, band)?;
-    let fine = bar_modes(&bar, &aluminium(), finer, band)?;
-    let moves = shipped.modes.iter().map(|mode| {
-        let twin = fine.modes.iter().find(|other| other.label == mode.label);
-        twin.map_or(f64::NAN, |twin| cents(mode.hz, twin.hz))
-    });
-    Ok(Row::absolute(
-        format!("bar of {name}, mesh halved: greatest move of a mode below 10 kHz"),
-        (0.0, moves.fold(0.0, greater), "cents"),
-        3.0,
-        "convergence",
-    ))
-}
-
 fn whole() -> Result<Row, CheckError> {
-    let bar = tuned(F_SHARP_3, equal_temperament_hz(F_SHARP_3, 440.0))?;
+    let bar = tuned(F_SHARP_3, O_BRIEN_HZ, [4.0, 10.0])?;
     let band = Band {
         high_hz: 12_000.0,
         ..Band::AUDIBLE

@@ -1,42 +1,35 @@
 //! One key's body: tuned and solved, by shape.
 
 use super::BuildError;
+use super::bowls::{Bowls, imperfection};
 use crate::bar::{
     BarFineness, BarTuning, bar_modes, tune_bar, vibraphone_ratios, vibraphone_stock,
 };
-use crate::fem::Harmonic;
-use crate::revolution::{Bell, Imperfection, Wall, bowl, revolution_modes};
-use crate::shape::{Bowl, Tube};
-use crate::solve::{Band, lowest};
+use crate::revolution::{Bell, LAYERS, SolvedWall};
+use crate::shape::{Bar, Tube};
+use crate::solve::Band;
 use crate::tube::{TubeTuning, TuneError, predicted_length_m, tune_tube};
 use crate::{Recipe, ShapeRecipe, SolveError, SolvedBody, equal_temperament_hz};
 
 /// What makes the bodies of one recipe.
 pub(super) struct Maker<'a> {
     recipe: &'a Recipe,
-    shape: Shape,
+    shape: Shape<'a>,
 }
 
 /// What all keys share.
-enum Shape {
+enum Shape<'a> {
     /// A tube, cut for each key.
     Tube(Bell),
     /// A bar, hollowed for each key to these ratios or to a vibraphone's.
     Bar(Option<[f64; 2]>),
-    /// A body that is solved once, at the size of the lowest key, and scaled to each key.
-    Scaled(Box<SolvedBody>),
+    /// Bowls, solved once and scaled to each key.
+    Bowls(Box<Bowls<'a>>),
 }
 
 /// Cells across half a bar's width and through its thickness: with two, bending 3 of a bar is right
 /// to a cent where one leaves four.
-const BAR: BarFineness = BarFineness {
-    max_element_m: 0.0,
-    across: 3,
-    through: 2,
-};
-
-/// Waves around the axis of the mode that carries a bowl's pitch.
-const BOWL_WAVES: usize = 2;
+const BAR_CELLS: [usize; 2] = [3, 2];
 
 impl<'a> Maker<'a> {
     /// What cannot be tuned is said here, before the minutes that the rest may take.
@@ -59,7 +52,11 @@ impl<'a> Maker<'a> {
                 felt_at,
             }),
             ShapeRecipe::Bar { ratios } => Shape::Bar(ratios),
-            ShapeRecipe::Bowl(bowl) => Shape::Scaled(Box::new(lowest_bowl(recipe, &bowl)?)),
+            ShapeRecipe::Bowl(bowl) => {
+                let bowls = Bowls::new(recipe, &bowl)
+                    .map_err(|error| out_of_tune(recipe, recipe.keys.low, error))?;
+                Shape::Bowls(Box::new(bowls))
+            }
         };
         let maker = Self { recipe, shape };
         if let Shape::Tube(bell) = &maker.shape {
@@ -78,10 +75,11 @@ impl<'a> Maker<'a> {
             Shape::Bar(_) => format!(
                 "20-node hexahedra of a quarter, 2×2×2 points, {} across half the width, {} through, \
                  at most {longest_m} m along",
-                BAR.across, BAR.through
+                BAR_CELLS[0], BAR_CELLS[1]
             ),
             _ => format!(
-                "8-node quadrilaterals of the meridian, 2×2 points, at most {longest_m} m long"
+                "8-node quadrilaterals of the meridian, 3×3 points, {LAYERS} through the wall, at most \
+                 {longest_m} m long"
             ),
         }
     }
@@ -104,93 +102,115 @@ impl<'a> Maker<'a> {
         }
     }
 
+    /// The body of `key` with every mode that the recipe asks for.
     pub(super) fn solve(&self, key: u8) -> Result<SolvedBody, BuildError> {
-        let recipe = self.recipe;
         match &self.shape {
             Shape::Tube(bell) => {
-                let max_element_m = recipe.mesh.max_element_m;
-                let tuned = tune_tube(bell, &recipe.material, max_element_m, &self.tuning(key))
-                    .map_err(|error| out_of_tune(recipe, key, error))?;
-                solved(recipe, &tuned.wall(max_element_m))
-                    .map_err(|error| unsolved(recipe, key, error))
+                let solved = self.tube_modes(&self.tuned_tube(bell, key)?, key, 1)?;
+                let given = self.recipe.imperfection.as_ref();
+                let imperfection = given.map(|given| imperfection(&solved, given, 1.0));
+                let imperfection = imperfection
+                    .transpose()
+                    .map_err(|error| self.out_of_tune(key, error))?;
+                Ok(solved.body(imperfection))
+            }
+            Shape::Bar(ratios) => self.bar_modes(&self.tuned_bar(*ratios, key)?, key, 1),
+            Shape::Bowls(bowls) => bowls
+                .body(key)
+                .map_err(|error| self.out_of_tune(key, error)),
+        }
+    }
+
+    /// As [`halved`].
+    fn halved(&self, key: u8) -> Result<[SolvedBody; 2], BuildError> {
+        match &self.shape {
+            Shape::Tube(bell) => {
+                let bell = self.tuned_tube(bell, key)?;
+                let at = |finer| Ok(self.tube_modes(&bell, key, finer)?.body(None));
+                Ok([at(1)?, at(2)?])
             }
             Shape::Bar(ratios) => {
-                let tuning = BarTuning {
-                    pitch_hz: self.pitch_hz(key),
-                    ratios: ratios.unwrap_or_else(|| vibraphone_ratios(key)),
-                    tolerance_cents: recipe.tuning.tolerance_cents,
-                };
-                let fineness = BarFineness {
-                    max_element_m: recipe.mesh.max_element_m,
-                    ..BAR
-                };
-                let bar = tune_bar(&vibraphone_stock(key), &recipe.material, fineness, &tuning)
-                    .map_err(|error| out_of_tune(recipe, key, TuneError::Bar(error)))?;
-                bar_modes(&bar, &recipe.material, fineness, band(recipe))
-                    .map_err(|error| unsolved(recipe, key, error))
+                let bar = self.tuned_bar(*ratios, key)?;
+                Ok([self.bar_modes(&bar, key, 1)?, self.bar_modes(&bar, key, 2)?])
             }
-            Shape::Scaled(lowest) => {
-                let factor = self.pitch_hz(recipe.keys.low) / self.pitch_hz(key);
-                Ok(lowest.scaled(factor, recipe.mesh.highest_hz))
+            Shape::Bowls(bowls) => {
+                let at = |finer| Ok(bowls.finer(finer)?.body(None));
+                let both = at(1).and_then(|shipped| Ok([shipped, at(2)?]));
+                both.map_err(|error| self.out_of_tune(key, error))
             }
+        }
+    }
+
+    fn tuned_tube(&self, shape: &Bell, key: u8) -> Result<Bell, BuildError> {
+        let Recipe { material, mesh, .. } = self.recipe;
+        tune_tube(shape, material, mesh.max_element_m, &self.tuning(key))
+            .map_err(|error| self.out_of_tune(key, error))
+    }
+
+    fn tuned_bar(&self, ratios: Option<[f64; 2]>, key: u8) -> Result<Bar, BuildError> {
+        let tuning = BarTuning {
+            pitch_hz: self.pitch_hz(key),
+            ratios: ratios.unwrap_or_else(|| vibraphone_ratios(key)),
+            tolerance_cents: self.recipe.tuning.tolerance_cents,
+        };
+        let (stock, material) = (vibraphone_stock(key), &self.recipe.material);
+        tune_bar(&stock, material, self.bar_fineness(1), &tuning)
+            .map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))
+    }
+
+    fn tube_modes(&self, bell: &Bell, key: u8, finer: usize) -> Result<SolvedWall, BuildError> {
+        let recipe = self.recipe;
+        let wall = bell.wall(recipe.mesh.max_element_m / finer as f64, finer * LAYERS);
+        SolvedWall::new(wall, &recipe.material, band(recipe))
+            .map_err(|error| self.unsolved(key, error))
+    }
+
+    fn bar_fineness(&self, finer: usize) -> BarFineness {
+        BarFineness {
+            max_element_m: self.recipe.mesh.max_element_m / finer as f64,
+            across: finer * BAR_CELLS[0],
+            through: finer * BAR_CELLS[1],
+        }
+    }
+
+    fn bar_modes(&self, bar: &Bar, key: u8, finer: usize) -> Result<SolvedBody, BuildError> {
+        let fineness = self.bar_fineness(finer);
+        bar_modes(bar, &self.recipe.material, fineness, band(self.recipe))
+            .map_err(|error| self.unsolved(key, error))
+    }
+
+    fn out_of_tune(&self, key: u8, error: TuneError) -> BuildError {
+        out_of_tune(self.recipe, key, error)
+    }
+
+    fn unsolved(&self, key: u8, error: SolveError) -> BuildError {
+        BuildError::Solve {
+            recipe: self.recipe.name.clone(),
+            key,
+            error,
         }
     }
 }
 
+/// The body of `key` on its own mesh and on one with elements half as long, wide and thick; without
+/// an imperfection, and of the lowest key's size if all are scaled from one.
+pub(crate) fn halved(recipe: &Recipe, key: u8) -> Result<[SolvedBody; 2], BuildError> {
+    Maker::new(recipe)?.halved(key)
+}
+
+/// What went wrong with `key`: of a solver that failed in the midst of tuning, that.
 fn out_of_tune(recipe: &Recipe, key: u8, error: TuneError) -> BuildError {
-    BuildError::Tune {
-        recipe: recipe.name.clone(),
-        key,
-        error,
+    let recipe = recipe.name.clone();
+    match error {
+        TuneError::Solve(error) => BuildError::Solve { recipe, key, error },
+        error => BuildError::Tune { recipe, key, error },
     }
 }
 
-fn unsolved(recipe: &Recipe, key: u8, error: SolveError) -> BuildError {
-    BuildError::Solve {
-        recipe: recipe.name.clone(),
-        key,
-        error,
-    }
-}
-
-fn band(recipe: &Recipe) -> Band {
+/// The frequencies that the recipe asks for.
+pub(super) fn band(recipe: &Recipe) -> Band {
     Band {
         high_hz: recipe.mesh.highest_hz,
         ..Band::AUDIBLE
     }
-}
-
-/// Every mode of `wall` that the recipe asks for.
-fn solved(recipe: &Recipe, wall: &Wall) -> Result<SolvedBody, SolveError> {
-    let mass_kg = wall.meridian.volume_m3() * recipe.material.density_kg_m3;
-    let imperfection = recipe.imperfection.map(|given| Imperfection {
-        mass_kg: given.mass_share * mass_kg,
-        angle_deg: given.angle_deg,
-    });
-    revolution_modes(wall, &recipe.material, band(recipe), imperfection)
-}
-
-/// The bowl of the lowest key: every length of the recipe's, times what its pitch asks for.
-///
-/// A pair that an imperfection splits is tuned by its mean.
-fn lowest_bowl(recipe: &Recipe, shape: &Bowl) -> Result<SolvedBody, BuildError> {
-    let key = recipe.keys.low;
-    let failed = |error| unsolved(recipe, key, error);
-    let wall = bowl(shape, recipe.mesh.max_element_m)
-        .map_err(|error| out_of_tune(recipe, key, TuneError::Profile(error)))?;
-    let harmonic = Harmonic::new(&wall.meridian, &recipe.material, BOWL_WAVES).map_err(failed)?;
-    let own_hz = lowest(&harmonic.pencil, 0).map_err(failed)?;
-    let pitch_hz = equal_temperament_hz(key, recipe.tuning.a4_hz);
-    let factor = own_hz / pitch_hz;
-    let wall = bowl(&shape.scaled(factor), factor * recipe.mesh.max_element_m)
-        .map_err(|error| out_of_tune(recipe, key, TuneError::Profile(error)))?;
-    let body = solved(recipe, &wall).map_err(failed)?;
-    let pair: Vec<f64> = body
-        .modes
-        .iter()
-        .filter(|mode| usize::from(mode.label.order) == BOWL_WAVES && mode.label.index == 1)
-        .map(|mode| mode.hz)
-        .collect();
-    let mean_hz = pair.iter().sum::<f64>() / pair.len() as f64;
-    Ok(body.scaled(mean_hz / pitch_hz, recipe.mesh.highest_hz))
 }

@@ -24,12 +24,10 @@ pub struct CyclicTube {
     /// Element matrices in the cylindrical frame (r, θ, z) of each node, row by row.
     stiffness: Vec<f64>,
     mass: Vec<f64>,
-    section: Section,
 }
 
 /// Numbers of the nodes on the two planes that a sector keeps: its edge and its middle.
 struct Section {
-    rows: usize,
     ids: Vec<u32>,
     count: u32,
 }
@@ -38,7 +36,6 @@ impl Section {
     fn new(along: usize) -> Self {
         let rows = 2 * along + 1;
         let mut section = Self {
-            rows,
             ids: vec![u32::MAX; 6 * rows],
             count: 0,
         };
@@ -117,7 +114,6 @@ impl CyclicTube {
             cells,
             stiffness,
             mass,
-            section,
         })
     }
 
@@ -171,20 +167,6 @@ impl CyclicTube {
             }
         }
         weights
-    }
-
-    /// Displacement (u_r, u_θ, u_z) of `mode` along the wall, at a node every half cell: across the
-    /// wall at `radial` 0 (inside), 1 (middle, whole cells only) or 2 (outside).
-    #[must_use]
-    pub fn along_wall(&self, mode: &[f64], radial: usize) -> Vec<[f64; 3]> {
-        let step = if radial == 1 { 2 } else { 1 };
-        (0..self.section.rows)
-            .step_by(step)
-            .map(|z| {
-                let first = 3 * self.section.id(0, radial, z) as usize;
-                [mode[first], mode[first + 1], mode[first + 2]]
-            })
-            .collect()
     }
 }
 

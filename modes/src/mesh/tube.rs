@@ -1,6 +1,6 @@
 //! Structured meshes of a tube.
 
-use super::{Elements, Mesh};
+use super::{Elements, Mesh, number};
 use crate::fem::{HEX20_NODES, TET10_EDGES};
 use crate::shape::Tube;
 
@@ -28,10 +28,6 @@ fn point(tube: &Tube, radial: f64, around: f64, along: f64) -> [f64; 3] {
     let radius = tube.inner_radius_m() + radial * tube.wall_m;
     let (sin, cos) = (std::f64::consts::TAU * around).sin_cos();
     [radius * cos, radius * sin, along * tube.length_m]
-}
-
-fn number(index: usize) -> u32 {
-    u32::try_from(index).expect("meshes have fewer than 2^32 nodes")
 }
 
 /// Linear tetrahedra, six to a cell, `layers` of cells through the wall:

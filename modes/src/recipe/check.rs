@@ -6,8 +6,8 @@ use super::raw::{
     RawResonator, RawTuning,
 };
 use super::{
-    ImperfectionRecipe, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe, ResonatorRecipe,
-    ShapeRecipe, TuningRecipe,
+    ImperfectionRecipe, ImperfectionSize, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe,
+    ResonatorRecipe, ShapeRecipe, TuningRecipe,
 };
 use crate::shape::Bowl;
 use crate::{Damping, Material, MaterialError, NamedMaterial, Rayleigh};
@@ -82,8 +82,26 @@ fn check_losses(raw: &RawDamping) -> Result<LossRecipe, Fault> {
 }
 
 fn check_imperfection(raw: &RawImperfection) -> Result<ImperfectionRecipe, Fault> {
+    let size = match (raw.mass_share, raw.beat_hz) {
+        (Some(share), None) => {
+            let share = within("imperfection.mass_share", share, 0.0..=0.1)?;
+            ImperfectionSize::MassShare(share)
+        }
+        (None, Some(beat_hz)) => {
+            let beat_hz = within("imperfection.beat_hz", beat_hz, 0.0..=20.0)?;
+            ImperfectionSize::BeatHz(beat_hz)
+        }
+        (given, _) => {
+            let value = match given {
+                Some(_) => "given both as mass_share and as beat_hz",
+                None => "given without a size",
+            };
+            let allowed = "given either as mass_share or as beat_hz";
+            return Err(Fault::field("imperfection", value, allowed));
+        }
+    };
     Ok(ImperfectionRecipe {
-        mass_share: within("imperfection.mass_share", raw.mass_share, 0.0..=0.1)?,
+        size,
         angle_deg: within("imperfection.angle_deg", raw.angle_deg, -360.0..=360.0)?,
     })
 }

@@ -59,7 +59,8 @@ pub(super) struct RawBody {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RawImperfection {
-    pub(super) mass_share: f64,
+    pub(super) mass_share: Option<f64>,
+    pub(super) beat_hz: Option<f64>,
     pub(super) angle_deg: f64,
 }
 

@@ -1,6 +1,7 @@
 //! Right recipes are taken as they are meant, wrong ones refused with a cure.
 
 use super::{KeyRange, MeshRecipe, Recipe, RecipeError, RecipeFileError, ShapeRecipe};
+use crate::ImperfectionSize;
 use crate::{Material, TABLE_1};
 
 const CHIMES: &str = Recipe::FACTORY[0].1;
@@ -299,6 +300,37 @@ fn faults_of_the_text_have_line_and_column() {
             .to_string()
             .starts_with("my.toml:1:1: missing field")
     );
+}
+
+#[test]
+fn an_imperfection_has_one_size() {
+    let bowls = Recipe::FACTORY[3].1;
+    let with = |size: &str| {
+        let text = bowls.replace("beat_hz = 0.6", size);
+        Recipe::parse(&text, "my.toml").map(|recipe| recipe.imperfection)
+    };
+    let share = with("mass_share = 0.001").unwrap().unwrap();
+    assert_eq!(share.size, ImperfectionSize::MassShare(0.001));
+    let beat = with("beat_hz = 0.6").unwrap().unwrap();
+    assert_eq!(beat.size, ImperfectionSize::BeatHz(0.6));
+    for (size, error) in [
+        (
+            "",
+            "my.toml: imperfection is given without a size, but must be given either as mass_share or \
+             as beat_hz",
+        ),
+        (
+            "beat_hz = 1.0\nmass_share = 0.1",
+            "my.toml: imperfection is given both as mass_share and as beat_hz, but must be given either \
+             as mass_share or as beat_hz",
+        ),
+        (
+            "beat_hz = -1.0",
+            "my.toml: imperfection.beat_hz is -1, but must be 0 to 20",
+        ),
+    ] {
+        assert_eq!(with(size).unwrap_err().to_string(), error);
+    }
 }
 
 #[test]

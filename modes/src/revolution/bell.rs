@@ -18,8 +18,8 @@ pub struct Bell {
     pub felt_at: f64,
 }
 
-/// Cells from the axis to the wall, where there is a plug.
-const PLUG_CELLS: usize = 3;
+/// Cells from the axis to the wall, where there is a plug, for each layer of the wall.
+const PLUG_CELLS: usize = 2;
 
 impl Bell {
     /// `tube` without a plug, hung at the node of its lowest mode.
@@ -33,11 +33,12 @@ impl Bell {
         }
     }
 
-    /// The meridian of this bell, of cells no longer than `max_element_m`, with the top at z = 0 and
-    /// the tube hanging down from it: position 0 of the strike line is the top.
+    /// The meridian of this bell, of cells no longer than `max_element_m` and `layers` of them through
+    /// the wall, with the top at z = 0 and the tube hanging down from it: position 0 of the strike
+    /// line is the top.
     #[must_use]
-    pub fn wall(&self, max_element_m: f64) -> Wall {
-        bell(self, self.cells(max_element_m))
+    pub fn wall(&self, max_element_m: f64, layers: usize) -> Wall {
+        bell(self, self.cells(max_element_m), layers)
     }
 
     /// Cells along the plug and along the rest of the tube.
@@ -52,13 +53,14 @@ impl Bell {
     }
 }
 
-/// The meridian of `bell` with `cells` along its plug and along the rest.
+/// The meridian of `bell` with `cells` along its plug and along the rest, `layers` of them through the
+/// wall.
 #[must_use]
-pub fn bell(bell: &Bell, cells: [usize; 2]) -> Wall {
+pub fn bell(bell: &Bell, cells: [usize; 2], layers: usize) -> Wall {
     let tube = &bell.tube;
     let [plug, open] = cells;
     let along = plug + open;
-    let inside = if plug > 0 { PLUG_CELLS } else { 0 };
+    let inside = if plug > 0 { layers * PLUG_CELLS } else { 0 };
     let height = |j: usize| {
         let j = j as f64;
         let split = 2.0 * plug as f64;
@@ -73,15 +75,19 @@ pub fn bell(bell: &Bell, cells: [usize; 2]) -> Wall {
         if i <= 2 * inside && inside > 0 {
             tube.inner_radius_m() * i as f64 / (2 * inside) as f64
         } else {
-            tube.inner_radius_m() + tube.wall_m * (i - 2 * inside) as f64 / 2.0
+            tube.inner_radius_m() + tube.wall_m * (i - 2 * inside) as f64 / (2 * layers) as f64
         }
     };
     let meridian = Meridian::new(
-        [inside + 1, along],
-        |i, j| i == inside || j >= open,
+        [inside + layers, along],
+        |i, j| i >= inside || j >= open,
         |i, j| [radius(i), height(j)],
     );
-    let outer = |j: usize| meridian.node_at(2 * (inside + 1), j).unwrap_or(u32::MAX);
+    let outer = |j: usize| {
+        meridian
+            .node_at(2 * (inside + layers), j)
+            .unwrap_or(u32::MAX)
+    };
     let line: Vec<u32> = (0..=2 * along).rev().map(outer).collect();
     let nearest = |share: f64| {
         let below =

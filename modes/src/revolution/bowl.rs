@@ -8,13 +8,14 @@ use crate::shape::{Bowl, ProfileError};
 /// Steps in which the profile's arc is measured.
 const ARC_STEPS: usize = 2000;
 
-/// The meridian of `bowl`, cells no longer than `max_element_m`, its base on z = 0. Position 0 of
-/// the strike line is the rim, 1 the middle of the base; the bowl stands on the edge of its base.
+/// The meridian of `bowl`, cells no longer than `max_element_m` and `layers` of them through the wall,
+/// its base on z = 0. Position 0 of the strike line is the rim, 1 the middle of the base; the bowl
+/// stands on the edge of its base.
 ///
 /// # Errors
 ///
 /// [`ProfileError`] if the profile is not that of a bowl.
-pub fn bowl(bowl: &Bowl, max_element_m: f64) -> Result<Wall, ProfileError> {
+pub fn bowl(bowl: &Bowl, max_element_m: f64, layers: usize) -> Result<Wall, ProfileError> {
     bowl.check()?;
     let arc = Arc::new(bowl);
     #[expect(clippy::cast_sign_loss, reason = "lengths are positive")]
@@ -36,11 +37,11 @@ pub fn bowl(bowl: &Bowl, max_element_m: f64) -> Result<Wall, ProfileError> {
         (bowl.outer_m(share), arc.normal(share), bowl.wall_m(share))
     };
     let meridian = Meridian::new(
-        [along, 1],
+        [along, layers],
         |_, _| true,
         |j, i| {
             let ([r, z], [nr, nz], wall_m) = place(j);
-            let depth_m = wall_m * i as f64 / 2.0;
+            let depth_m = wall_m * i as f64 / (2 * layers) as f64;
             [(r + nr * depth_m).max(0.0), z + nz * depth_m]
         },
     );

@@ -3,6 +3,10 @@
 use crate::Family;
 use crate::fem::Meridian;
 
+/// Layers of cells through a wall: one is too stiff in shear, by tens of cents for the high modes of a
+/// thick wall.
+pub const LAYERS: usize = 2;
+
 /// A body of revolution: its meridian, where it is struck and held, and how it radiates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wall {

@@ -4,7 +4,7 @@ use super::dense;
 use super::factor::Symbolic;
 use super::lanczos::{Lanczos, RitzSet};
 use super::panel::{self, WIDTH};
-use super::shift::{SHIFT, TOLERANCE};
+use super::shift::{SHIFT, TOLERANCE, largest_subspace};
 use super::sparse::Mass;
 use super::verify::{Found, verify};
 use super::{SolveError, Watch};
@@ -93,8 +93,7 @@ pub fn modes_in_band_with(
     if pencil.unknowns() < DENSE_BELOW {
         return densely(pencil, band);
     }
-    // Lanczos converges well within four vectors to a mode.
-    sparsely(pencil, band, watch, |counted| 4 * counted + 60)
+    sparsely(pencil, band, watch, largest_subspace)
 }
 
 fn densely(pencil: &Pencil, band: Band) -> Result<Solution, SolveError> {

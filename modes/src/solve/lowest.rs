@@ -4,7 +4,7 @@ use super::SolveError;
 use super::band::known_below_hz;
 use super::factor::Symbolic;
 use super::lanczos::Lanczos;
-use super::shift::{SHIFT, TOLERANCE};
+use super::shift::{SHIFT, TOLERANCE, largest_subspace};
 use super::sparse::Mass;
 use crate::fem::Pencil;
 use std::f64::consts::TAU;
@@ -29,7 +29,7 @@ pub fn lowest_of(pencil: &Pencil, count: usize) -> Result<Vec<f64>, SolveError> 
     let mass = Mass::new(pencil, symbolic.place());
     let mut lanczos = Lanczos::new(&factor, &mass, SHIFT);
     let wanted = pencil.rigid + count;
-    let largest = 4 * wanted + 60;
+    let largest = largest_subspace(wanted);
     loop {
         lanczos.expand();
         let size = lanczos.size();

@@ -8,3 +8,9 @@ pub(super) const SHIFT: f64 = -(TAU * 1000.0) * (TAU * 1000.0);
 
 /// Largest residual of the inverse operator that counts as converged, relative to its eigenvalue.
 pub(super) const TOLERANCE: f64 = 4e-9;
+
+/// Vectors within which Lanczos finds `wanted` modes: four to a mode do where there are many, and a
+/// few hundred more where those wanted crowd far below the shift, or lie far above it.
+pub(super) fn largest_subspace(wanted: usize) -> usize {
+    4 * wanted + 400
+}

@@ -2,7 +2,7 @@
 
 use crate::analytic::TimoshenkoBeam;
 use crate::fem::Harmonic;
-use crate::revolution::{Bell, bell};
+use crate::revolution::{Bell, LAYERS, bell};
 use crate::shape::Tube;
 use crate::solve::lowest;
 use crate::{Material, SolveError};
@@ -45,6 +45,17 @@ pub enum TuneError {
         pitch_hz: f64,
         /// How far the best tube is off, in cents.
         cents: f64,
+    },
+    /// No small imperfection makes the lowest pair beat so fast.
+    #[error(
+        "imperfection.beat_hz is {beat_hz}: what leaves the shape of the modes as it is makes the \
+         lowest pair beat at up to {greatest_hz:.2} Hz"
+    )]
+    Beat {
+        /// The beat asked for, in Hz.
+        beat_hz: f64,
+        /// The fastest that can be had, in Hz.
+        greatest_hz: f64,
     },
     /// A bar has not the partials.
     #[error(transparent)]
@@ -95,7 +106,7 @@ pub fn tune_tube(
     // The cells stay as they are through the search, so that the pitch is a smooth function.
     let cells = cut(first).cells(max_element_m);
     let cents_off = |length_m: f64| -> Result<f64, SolveError> {
-        let meridian = bell(&cut(length_m), cells).meridian;
+        let meridian = bell(&cut(length_m), cells, LAYERS).meridian;
         let hz = lowest(
             &Harmonic::new(&meridian, material, 1)?.pencil,
             tuning.partial - 1,
@@ -182,7 +193,7 @@ mod tests {
     fn the_tuned_tube_has_the_pitch() {
         for (pitch_hz, partial) in [(110.0, 1), (587.33, 1), (2637.0, 1), (880.0, 4)] {
             let tuned = tune(pitch_hz, partial).unwrap();
-            let meridian = tuned.wall(0.02).meridian;
+            let meridian = tuned.wall(0.02, LAYERS).meridian;
             let harmonic = Harmonic::new(&meridian, &TABLE_1[0].material, 1).unwrap();
             let hz = lowest(&harmonic.pencil, partial - 1).unwrap();
             assert!(

@@ -1,0 +1,63 @@
+//! The patches of a body of revolution that touch the air, and how a mode moves them.
+
+use super::Wall;
+use crate::radiation::Surface;
+use std::f64::consts::TAU;
+
+/// Patches of the surface around the axis.
+const PATCHES_AROUND: usize = 24;
+
+/// Outward unit normal (r, z) of a side: the body is on its left.
+pub(super) fn side_normal(wall: &Wall, side: &[u32; 3]) -> [f64; 2] {
+    let [start, _, end] = side.map(|node| wall.meridian.nodes_m[node as usize]);
+    let (dr, dz) = (end[0] - start[0], end[1] - start[1]);
+    let length = dr.hypot(dz);
+    [dz / length, -dr / length]
+}
+
+/// Normal motion on the patches: side by side, around the axis.
+pub(super) fn around(sides: &[f64], order: f64, turn: f64) -> Vec<f32> {
+    let waves: Vec<f64> = (0..PATCHES_AROUND)
+        .map(|i| (order * (patch_angle(i) - turn)).cos())
+        .collect();
+    sides
+        .iter()
+        .flat_map(|side| waves.iter().map(move |wave| (side * wave) as f32))
+        .collect()
+}
+
+fn patch_angle(i: usize) -> f64 {
+    TAU * (i as f64 + 0.5) / PATCHES_AROUND as f64
+}
+
+/// A point or direction (r, z) at the angle θ, in the frame of the row: the strike line, θ = 0,
+/// faces the player, towards −y; z is up.
+fn turned([r, z]: [f64; 2], angle: f64) -> [f64; 3] {
+    let (sin, cos) = angle.sin_cos();
+    [r * sin, -r * cos, z]
+}
+
+pub(super) fn surface(wall: &Wall) -> Surface {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for node in &wall.meridian.nodes_m {
+        (low, high) = (low.min(node[1]), high.max(node[1]));
+    }
+    let middle = 0.5 * (low + high);
+    let mut surface = Surface {
+        mouth_m: wall.mouth_m.map(|[r, z]| [r, z - middle]),
+        ..Surface::default()
+    };
+    for side in &wall.heard {
+        let [p, q, r] = side.map(|node| wall.meridian.nodes_m[node as usize]);
+        let normal = side_normal(wall, side);
+        let area = (r[0] - p[0]).hypot(r[1] - p[1]) * q[0] * TAU / PATCHES_AROUND as f64;
+        for i in 0..PATCHES_AROUND {
+            surface
+                .points_m
+                .push(turned([q[0], q[1] - middle], patch_angle(i)));
+            surface.normals.push(turned(normal, patch_angle(i)));
+            surface.areas_m2.push(area);
+        }
+    }
+    surface
+}
