@@ -273,6 +273,7 @@ fn shape_gradient(node: [f64; 2], x: [f64; 2]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::count_below;
 
     const STEEL: Material = Material {
         lambda_pa: 1.1e11,
@@ -353,6 +354,22 @@ mod tests {
         let mass: f64 = x.iter().zip(&y).map(|(x, y)| x * y).sum();
         let expected = STEEL.density_kg_m3 * meridian.volume_m3();
         assert!((mass / expected - 1.0).abs() < 1e-12);
+    }
+
+    /// Fewer Gauss points let motions through that cost next to nothing, more of them the finer the mesh.
+    #[test]
+    fn many_waves_around_a_disc_are_stiff_on_any_mesh() {
+        let counted = [20, 40, 80].map(|cells| {
+            let disc = Meridian::new(
+                [cells, 1],
+                |_, _| true,
+                |i, j| [0.06 * i as f64 / (2 * cells) as f64, 0.004 * j as f64],
+            );
+            let pencil = Harmonic::new(&disc, &STEEL, 16).unwrap().pencil;
+            count_below(&pencil, 200_000.0)
+        });
+        assert_eq!(counted, [counted[2]; 3]);
+        assert!(counted[2] > 0);
     }
 
     #[test]
