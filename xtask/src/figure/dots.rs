@@ -6,13 +6,18 @@ use std::f64::consts::TAU;
 /// Where on its line the body is struck, 0…1: where the plug-in strikes unless told otherwise.
 pub const STRIKE_POSITION: f64 = 0.03;
 
+/// Over how long levels are taken, in s: the momentary window of EBU R 128. A mode that is over in
+/// milliseconds is a click, however high it starts.
+const WINDOW_S: f64 = 0.4;
+
 /// A mode as it is heard.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Dot {
     pub(super) label: ModeLabel,
     pub(super) hz: f64,
     pub(super) t60_s: f64,
-    /// Level at the start, in dB of the loudest mode; −∞ for one that the strike does not reach.
+    /// Level over the first [`WINDOW_S`], in dB of the loudest mode's; −∞ for one that the strike
+    /// does not reach.
     pub(super) level_db: f64,
 }
 
@@ -21,7 +26,10 @@ pub(super) fn dots(body: &Body, damping: &Damping, position: f64) -> Vec<Dot> {
     let levels: Vec<f64> = body
         .modes
         .iter()
-        .map(|mode| pressure_pa(body, mode, position))
+        .map(|mode| {
+            let start = pressure_pa(body, mode, position);
+            start * lasting(mode.decay_per_s(damping))
+        })
         .collect();
     let loudest = levels.iter().copied().fold(0.0, f64::max);
     body.modes
@@ -34,6 +42,16 @@ pub(super) fn dots(body: &Body, damping: &Damping, position: f64) -> Vec<Dot> {
             level_db: 20.0 * (level / loudest).log10(),
         })
         .collect()
+}
+
+/// Root of the mean square over the window of exp(−`decay_per_s` t).
+fn lasting(decay_per_s: f64) -> f64 {
+    let fall = 2.0 * decay_per_s * WINDOW_S;
+    if fall > 1e-9 {
+        (-(-fall).exp_m1() / fall).sqrt()
+    } else {
+        1.0
+    }
 }
 
 /// Pressure that a mode sends to the nearer ear after 1 N·s along the normal at `position`: the
@@ -112,6 +130,13 @@ mod tests {
         let mode = mode(100.0, 2.0);
         let found = pressure_pa(&body(vec![mode.clone()]), &mode, 0.5);
         assert!((found / (2.0 * 5.0 / (TAU * 100.0)) - 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_click_counts_by_the_little_time_it_lasts() {
+        assert_eq!(lasting(0.0), 1.0);
+        // 1/(2dT) of the window, to e^(−800): −29.03 dB.
+        assert!((lasting(1000.0) - (1.0 / 800.0f64).sqrt()).abs() < 1e-12);
     }
 
     #[test]

@@ -26,7 +26,7 @@ impl Taken {
     /// Takes a free place for a name of this `width` and `height` beside a dot; returns its left
     /// top corner, or nothing if there is no room.
     ///
-    /// Above is best, then below, then beside, then farther above and below.
+    /// Above is best, then below, then beside, then towards the corners.
     pub(super) fn name(
         &mut self,
         [x, y]: [i32; 2],
@@ -42,19 +42,16 @@ impl Taken {
             [x + reach, y - height / 2],
             [x - reach - width, y - height / 2],
         ];
-        let far = (1..=3).flat_map(|step| {
-            let away = reach + step * (height / 2 + 2);
-            [
-                [centred, y - away - height],
-                [x + radius / 2, y - away - height],
-                [centred, y + away],
-                [x + radius / 2, y + away],
-            ]
-        });
+        let corners = [
+            [x + radius / 2, y - reach - height / 2],
+            [x - radius / 2 - width, y - reach - height / 2],
+            [x + radius / 2, y + reach - height / 2],
+            [x - radius / 2 - width, y + reach - height / 2],
+        ];
         let frame = |[left, top]: [i32; 2]| [left, top, left + width, top + height];
         let place = near
             .into_iter()
-            .chain(far)
+            .chain(corners)
             .find(|place| self.is_free(frame(*place)))?;
         self.frames.push(frame(place));
         Some(place)

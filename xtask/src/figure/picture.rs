@@ -4,13 +4,12 @@ use super::axis::Axis;
 use super::dots::{Dot, STRIKE_POSITION, dots};
 use super::family::{self, FAMILIES};
 use super::names::Taken;
-use crate::canvas::{self, Area, Drawing, FAINT, INK, NAME, SMALL, TITLE, extent, line, write};
+use crate::canvas::{self, Canvas, Drawing, FAINT, INK, NAME, SMALL, TITLE};
 use crate::note;
 use anyhow::{Context, Result};
 use modes::{Bank, Body};
-use plotters::element::Circle;
+use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
-use plotters::style::{Color, RGBColor};
 use std::path::Path;
 
 /// The figure's edges, in pixels.
@@ -27,11 +26,11 @@ const LEADING: i32 = 27;
 const GRID: RGBColor = RGBColor(36, 38, 48);
 
 /// How far down from the loudest mode dots grow, in dB.
-const DEPTH_DB: f64 = 60.0;
+const DEPTH_DB: f64 = 80.0;
 /// Levels that the legend shows, in dB.
-const LEVELS_DB: [i32; 4] = [0, -20, -40, -60];
-/// Radius of the loudest mode and of one at the depth, in pixels.
-const RADII: [f64; 2] = [17.0, 3.0];
+const LEVELS_DB: [i32; 5] = [0, -20, -40, -60, -80];
+/// Radius of the loudest mode and of one at the depth or below, in pixels.
+const RADII: [f64; 2] = [15.0, 3.0];
 /// How many modes are named.
 const NAMED: usize = 7;
 
@@ -49,17 +48,17 @@ pub(crate) fn draw(bank: &Bank, body: &Body, path: &Path) -> Result<()> {
     let title = format!(
         "{}, {} (key {}): {:.2} Hz",
         bank.title,
-        note::name(body.key),
+        // The font has no musical signs.
+        note::name(body.key).replace('♯', "#").replace('♭', "b"),
         body.key,
         body.pitch_hz
     );
-    canvas::save(path, |area| {
-        let at = (LEFT, 30);
-        write(area, &title, TITLE, &INK, at, (HPos::Left, VPos::Center))?;
-        figure.axes(area)?;
-        figure.dots(area)?;
-        figure.names(area)?;
-        figure.legend(area)
+    canvas::save(path, |canvas| {
+        canvas.write(&title, TITLE, INK, [LEFT, 30], (HPos::Left, VPos::Center))?;
+        figure.axes(canvas)?;
+        figure.dots(canvas)?;
+        figure.names(canvas)?;
+        figure.legend(canvas)
     })
 }
 
@@ -84,97 +83,84 @@ impl<'a> Figure<'a> {
         [self.hz.at(dot.hz), self.t60_s.at(dot.t60_s)]
     }
 
-    fn axes(&self, area: &Area<'_>) -> Drawing<()> {
+    fn axes(&self, canvas: &Canvas<'_>) -> Drawing<()> {
+        let (below, beside) = ((HPos::Center, VPos::Top), (HPos::Right, VPos::Center));
         for hz in self.hz.ticks() {
             let x = self.hz.at(hz);
-            line(area, (x, TOP), (x, BOTTOM), &GRID)?;
-            let at = (x, BOTTOM + 10);
-            write(area, &hertz(hz), SMALL, &INK, at, (HPos::Center, VPos::Top))?;
+            canvas.fill([x, TOP], [x, BOTTOM], GRID)?;
+            canvas.write(&hertz(hz), SMALL, INK, [x, BOTTOM + 10], below)?;
         }
         for t60_s in self.t60_s.ticks() {
             let y = self.t60_s.at(t60_s);
-            line(area, (LEFT, y), (RIGHT, y), &GRID)?;
-            let (text, at) = (seconds(t60_s), (LEFT - 10, y));
-            write(area, &text, SMALL, &INK, at, (HPos::Right, VPos::Center))?;
+            canvas.fill([LEFT, y], [RIGHT, y], GRID)?;
+            canvas.write(&seconds(t60_s), SMALL, INK, [LEFT - 10, y], beside)?;
         }
-        let at = ((LEFT + RIGHT) / 2, BOTTOM + 36);
-        let anchor = (HPos::Center, VPos::Top);
-        write(area, "frequency in Hz", NAME, &FAINT, at, anchor)?;
-        let at = (LEFT - 10, TOP - 16);
-        write(
-            area,
-            "T60 in s",
-            NAME,
-            &FAINT,
-            at,
-            (HPos::Center, VPos::Center),
-        )
+        let at = [(LEFT + RIGHT) / 2, BOTTOM + 36];
+        canvas.write("frequency in Hz", NAME, FAINT, at, below)?;
+        let at = [LEFT - 10, TOP - 22];
+        canvas.write("T60 in s", NAME, FAINT, at, (HPos::Right, VPos::Center))
     }
 
-    fn dots(&self, area: &Area<'_>) -> Drawing<()> {
+    fn dots(&self, canvas: &Canvas<'_>) -> Drawing<()> {
         for dot in &self.dots {
             let (colour, _) = family::look(dot.label.family);
-            paint(area, self.place(dot), dot.level_db, colour)?;
+            paint(canvas, self.place(dot), dot.level_db, colour)?;
         }
         Ok(())
     }
 
     /// Names the lowest modes that are heard, each pair once.
-    fn names(&self, area: &Area<'_>) -> Drawing<()> {
+    fn names(&self, canvas: &Canvas<'_>) -> Drawing<()> {
         let mut taken = Taken::none([LEFT + 4, TOP, RIGHT - 4, BOTTOM]);
         for dot in &self.dots {
-            taken.dot(self.place(dot), radius(dot.level_db));
+            taken.dot(self.place(dot), radius(dot.level_db).ceil() as i32);
         }
-        let mut heard: Vec<_> = self
-            .dots
-            .iter()
-            .filter(|dot| is_heard(dot.level_db))
-            .collect();
+        let heard = self.dots.iter().filter(|dot| is_heard(dot.level_db));
+        let mut heard: Vec<_> = heard.collect();
         heard.sort_by(|a, b| a.hz.total_cmp(&b.hz));
         heard.dedup_by_key(|dot| family::name(dot.label));
         for dot in heard.into_iter().take(NAMED) {
             let name = family::name(dot.label);
-            let size = extent(area, &name, SMALL)?;
-            let place = taken.name(self.place(dot), radius(dot.level_db), size);
-            if let Some([x, y]) = place {
-                write(area, &name, SMALL, &INK, (x, y), (HPos::Left, VPos::Top))?;
+            let size = canvas.extent(&name, SMALL)?;
+            let radius = radius(dot.level_db).ceil() as i32;
+            if let Some(place) = taken.name(self.place(dot), radius, size) {
+                canvas.write(&name, SMALL, INK, place, (HPos::Left, VPos::Top))?;
             }
         }
         Ok(())
     }
 
-    fn legend(&self, area: &Area<'_>) -> Drawing<()> {
+    fn legend(&self, canvas: &Canvas<'_>) -> Drawing<()> {
         let mut y = TOP + 14;
-        let mut entry = |level_db: f64, colour, text: &str| {
-            paint(area, [LEGEND, y], level_db, colour)?;
-            let at = (LEGEND + 26, y);
-            write(area, text, SMALL, &INK, at, (HPos::Left, VPos::Center))?;
+        let is_there = |kind| self.dots.iter().any(|dot| dot.label.family == kind);
+        for kind in FAMILIES.into_iter().filter(|kind| is_there(*kind)) {
+            let (colour, name) = family::look(kind);
+            entry(canvas, y, -40.0, colour, name)?;
             y += LEADING;
-            Drawing::Ok(y)
-        };
-        for kind in FAMILIES {
-            if self.dots.iter().any(|dot| dot.label.family == kind) {
-                let (colour, name) = family::look(kind);
-                entry(-20.0, colour, name)?;
-            }
         }
         y += LEADING;
-        let mut entry = |level_db: f64, text: &str| {
-            paint(area, [LEGEND, y], level_db, FAINT)?;
-            let at = (LEGEND + 26, y);
-            write(area, text, SMALL, &INK, at, (HPos::Left, VPos::Center))?;
-            y += LEADING + 4;
-            Drawing::Ok(())
-        };
+        let anchor = (HPos::Left, VPos::Center);
+        canvas.write("level, first 0.4 s", SMALL, FAINT, [LEGEND - 12, y], anchor)?;
+        y += LEADING / 2;
         for level_db in LEVELS_DB {
             let text = format!("{level_db} dB").replace('-', "−");
-            entry(f64::from(level_db), &text)?;
+            let level_db = f64::from(level_db);
+            y += radius(level_db) as i32;
+            entry(canvas, y, level_db, FAINT, &text)?;
+            y += radius(level_db) as i32 + LEADING / 3;
         }
         if self.dots.iter().any(|dot| !is_heard(dot.level_db)) {
-            entry(f64::NEG_INFINITY, "below")?;
+            entry(canvas, y + LEADING / 3, f64::NEG_INFINITY, FAINT, "below")?;
         }
         Ok(())
     }
+}
+
+/// A line of the legend.
+fn entry(canvas: &Canvas<'_>, y: i32, level_db: f64, colour: RGBColor, text: &str) -> Drawing<()> {
+    paint(canvas, [LEGEND, y], level_db, colour)?;
+    let anchor = (HPos::Left, VPos::Center);
+    canvas.write(text, SMALL, INK, [LEGEND + 24, y], anchor)
 }
 
 fn is_heard(level_db: f64) -> bool {
@@ -182,21 +168,18 @@ fn is_heard(level_db: f64) -> bool {
 }
 
 /// Radius of a dot, in pixels.
-fn radius(level_db: f64) -> i32 {
+fn radius(level_db: f64) -> f64 {
     let share = (1.0 + level_db / DEPTH_DB).clamp(0.0, 1.0);
-    (RADII[1] + share * (RADII[0] - RADII[1])).round() as i32
+    RADII[1] + share * (RADII[0] - RADII[1])
 }
 
-/// A disc that lets others be seen through it; a ring for a mode that is hardly heard.
-fn paint(area: &Area<'_>, [x, y]: [i32; 2], level_db: f64, colour: RGBColor) -> Drawing<()> {
-    let radius = radius(level_db);
+/// A disc that lets others be seen through it; a circle for a mode that is hardly heard.
+fn paint(canvas: &Canvas<'_>, at: [i32; 2], level_db: f64, colour: RGBColor) -> Drawing<()> {
     if is_heard(level_db) {
-        area.draw(&Circle::new((x, y), radius, colour.mix(0.45).filled()))?;
-        area.draw(&Circle::new((x, y), radius, colour))?;
+        canvas.disc(at, radius(level_db), colour)
     } else {
-        area.draw(&Circle::new((x, y), radius, colour.mix(0.6)))?;
+        canvas.ring(at, radius(level_db), colour)
     }
-    Ok(())
 }
 
 /// A frequency at its axis.
@@ -220,10 +203,8 @@ mod tests {
 
     #[test]
     fn louder_dots_are_larger_down_to_the_depth() {
-        assert_eq!(radius(0.0), 17);
-        assert_eq!(radius(-30.0), 10);
-        assert_eq!(radius(-60.0), 3);
-        assert_eq!(radius(f64::NEG_INFINITY), 3);
+        let radii = [0.0, -40.0, -80.0, -90.0, f64::NEG_INFINITY].map(radius);
+        assert_eq!(radii, [15.0, 9.0, 3.0, 3.0, 3.0]);
     }
 
     #[test]

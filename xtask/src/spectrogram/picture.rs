@@ -1,7 +1,7 @@
 //! Drawing a spectrogram with its axes.
 
 use super::{Recording, colour, stft};
-use crate::canvas::{self, Area, Drawing, FAINT, INK, NAME, SMALL, TITLE, line, write};
+use crate::canvas::{self, Canvas, Drawing, FAINT, INK, NAME, SMALL, TITLE};
 use anyhow::Result;
 use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -40,18 +40,17 @@ const TICKS_HZ: [(f64, &str); 9] = [
 ///
 /// If the file cannot be written.
 pub fn draw(recording: &Recording, title: &str, path: &Path) -> Result<()> {
-    canvas::save(path, |area| {
-        let at = (LEFT, 30);
-        write(area, title, TITLE, &INK, at, (HPos::Left, VPos::Center))?;
-        let top_db = levels(area, recording)?;
-        frequency_axis(area)?;
-        time_axis(area, recording.seconds())?;
-        level_scale(area, top_db)
+    canvas::save(path, |canvas| {
+        canvas.write(title, TITLE, INK, [LEFT, 30], (HPos::Left, VPos::Center))?;
+        let top_db = levels(canvas, recording)?;
+        frequency_axis(canvas)?;
+        time_axis(canvas, recording.seconds())?;
+        level_scale(canvas, top_db)
     })
 }
 
 /// Paints the levels; returns the level of the lightest colour, in dB.
-fn levels(area: &Area<'_>, recording: &Recording) -> Drawing<i32> {
+fn levels(canvas: &Canvas<'_>, recording: &Recording) -> Drawing<i32> {
     let columns = f64::from(RIGHT - LEFT);
     let moments: Vec<f64> = (LEFT..RIGHT)
         .map(|x| recording.seconds() * (f64::from(x - LEFT) + 0.5) / columns)
@@ -66,7 +65,7 @@ fn levels(area: &Area<'_>, recording: &Recording) -> Drawing<i32> {
     for (x, column) in (LEFT..RIGHT).zip(&levels) {
         for (y, &level) in (TOP..BOTTOM).rev().zip(column) {
             let colour = colour_of(f64::from(top_db) - f64::from(level));
-            area.draw_pixel((x, y), &colour)?;
+            canvas.fill([x, y], [x, y], colour)?;
         }
     }
     Ok(top_db)
@@ -78,73 +77,45 @@ fn colour_of(down_db: f64) -> RGBColor {
     RGBColor(r, g, b)
 }
 
-fn frequency_axis(area: &Area<'_>) -> Drawing<()> {
+fn frequency_axis(canvas: &Canvas<'_>) -> Drawing<()> {
+    let anchor = (HPos::Right, VPos::Center);
     for (hz, text) in TICKS_HZ {
         let y = y_of(hz);
-        line(area, (LEFT - 8, y), (LEFT - 2, y), &FAINT)?;
-        write(
-            area,
-            text,
-            SMALL,
-            &INK,
-            (LEFT - 12, y),
-            (HPos::Right, VPos::Center),
-        )?;
+        canvas.fill([LEFT - 7, y], [LEFT - 3, y], FAINT)?;
+        canvas.write(text, SMALL, INK, [LEFT - 12, y], anchor)?;
     }
-    let at = (LEFT - 12, TOP - 20);
-    write(area, "Hz", NAME, &FAINT, at, (HPos::Right, VPos::Center))
+    canvas.write("Hz", NAME, FAINT, [LEFT - 12, TOP - 20], anchor)
 }
 
-fn time_axis(area: &Area<'_>, seconds: f64) -> Drawing<()> {
+fn time_axis(canvas: &Canvas<'_>, seconds: f64) -> Drawing<()> {
+    let anchor = (HPos::Center, VPos::Top);
     let step = tick_step(seconds);
     let mut tick = 0.0;
     while tick <= seconds {
         let x = LEFT + (tick / seconds * f64::from(RIGHT - LEFT)).round() as i32;
-        line(area, (x, BOTTOM + 2), (x, BOTTOM + 8), &FAINT)?;
-        let at = (x, BOTTOM + 12);
-        write(
-            area,
-            &tick.to_string(),
-            SMALL,
-            &INK,
-            at,
-            (HPos::Center, VPos::Top),
-        )?;
+        canvas.fill([x, BOTTOM + 2], [x, BOTTOM + 6], FAINT)?;
+        canvas.write(&tick.to_string(), SMALL, INK, [x, BOTTOM + 12], anchor)?;
         tick += step;
     }
-    let at = ((LEFT + RIGHT) / 2, BOTTOM + 36);
-    write(
-        area,
-        "time in s",
-        NAME,
-        &FAINT,
-        at,
-        (HPos::Center, VPos::Top),
-    )
+    let at = [(LEFT + RIGHT) / 2, BOTTOM + 36];
+    canvas.write("time in s", NAME, FAINT, at, anchor)
 }
 
-fn level_scale(area: &Area<'_>, top_db: i32) -> Drawing<()> {
+fn level_scale(canvas: &Canvas<'_>, top_db: i32) -> Drawing<()> {
+    let anchor = (HPos::Left, VPos::Center);
     let [left, right] = SCALE;
     let height = f64::from(BOTTOM - TOP);
     for y in TOP..BOTTOM {
         let down_db = (f64::from(y - TOP) + 0.5) / height * f64::from(DEPTH_DB);
-        line(area, (left, y), (right, y), &colour_of(down_db))?;
+        canvas.fill([left, y], [right, y], colour_of(down_db))?;
     }
     for down in (0..=DEPTH_DB).step_by(2 * LEVEL_STEP_DB as usize) {
         let y = TOP + (height * f64::from(down) / f64::from(DEPTH_DB)).round() as i32;
-        line(area, (right + 2, y), (right + 8, y), &FAINT)?;
+        canvas.fill([right + 3, y], [right + 7, y], FAINT)?;
         let text = (top_db - down).to_string().replace('-', "−");
-        write(
-            area,
-            &text,
-            SMALL,
-            &INK,
-            (right + 12, y),
-            (HPos::Left, VPos::Center),
-        )?;
+        canvas.write(&text, SMALL, INK, [right + 12, y], anchor)?;
     }
-    let at = (right + 12, TOP - 20);
-    write(area, "dBFS", NAME, &FAINT, at, (HPos::Left, VPos::Center))
+    canvas.write("dBFS", NAME, FAINT, [right + 12, TOP - 20], anchor)
 }
 
 /// The greatest round step that gives at least six ticks.

