@@ -118,3 +118,12 @@ fn settings_are_read_as_shown_or_refused() {
         assert!(settings::automation(&mut plugin, bad).is_err(), "{bad}");
     }
 }
+
+#[test]
+fn figures_are_struck_where_the_plug_in_strikes() {
+    let mut plugin = plugin().unwrap();
+    let position = settings::find(&plugin.params(), "Strike position").unwrap();
+    let percent = 100.0 * xtask::figure::STRIKE_POSITION;
+    let text = plugin.text(position.id, position.default).unwrap();
+    assert_eq!(text, format!("{percent:.2} %"));
+}
