@@ -77,14 +77,15 @@ mod tests {
 
     #[test]
     fn few_colours_stay_as_they_are() {
-        let pixels: Vec<u8> = (0..3 * 64).map(|i| 4 * (i / 3) as u8).collect();
+        let pixels: Vec<u8> = (0..64).flat_map(|i: u8| [4 * i; 3]).collect();
         assert_eq!(decoded(&png(&pixels, 8, 8).unwrap()), pixels);
     }
 
     #[test]
     fn a_rare_colour_becomes_the_nearest_frequent_one() {
         // Every blue twice, and once a red next to the blue of 200.
-        let mut pixels: Vec<u8> = (0..512).flat_map(|i| [0, 0, (i / 2) as u8]).collect();
+        let blues = (0..=255).flat_map(|i: u8| [0, 0, i, 0, 0, i]);
+        let mut pixels: Vec<u8> = blues.collect();
         pixels.extend([1, 0, 200]);
         let shown = decoded(&png(&pixels, 27, 19).unwrap());
         assert_eq!(shown[..3 * 512], pixels[..3 * 512]);

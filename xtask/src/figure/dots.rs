@@ -8,7 +8,7 @@ pub const STRIKE_POSITION: f64 = 0.03;
 
 /// Over how long levels are taken, in s: the momentary window of EBU R 128. A mode that is over in
 /// milliseconds is a click, however high it starts.
-const WINDOW_S: f64 = 0.4;
+pub(super) const WINDOW_S: f64 = 0.4;
 
 /// A mode as it is heard.
 #[derive(Clone, Copy, Debug, PartialEq)]

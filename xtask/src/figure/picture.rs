@@ -1,15 +1,17 @@
 //! Drawing a body's modes with their axes and legend.
 
 use super::axis::Axis;
-use super::dots::{Dot, STRIKE_POSITION, dots};
+use super::dots::{Dot, STRIKE_POSITION, WINDOW_S, dots};
 use super::family::{self, FAMILIES};
 use super::names::Taken;
 use crate::canvas::{self, Canvas, Drawing, FAINT, INK, NAME, SMALL, TITLE};
 use crate::note;
+use crate::whole::whole;
 use anyhow::{Context, Result};
 use modes::{Bank, Body};
 use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
+use std::collections::HashSet;
 use std::path::Path;
 
 /// The figure's edges, in pixels.
@@ -118,9 +120,12 @@ impl<'a> Figure<'a> {
         let heard = self.dots.iter().filter(|dot| is_heard(dot.level_db));
         let mut heard: Vec<_> = heard.collect();
         heard.sort_by(|a, b| a.hz.total_cmp(&b.hz));
-        heard.dedup_by_key(|dot| family::name(dot.label));
-        for dot in heard.into_iter().take(NAMED) {
+        let mut named = HashSet::new();
+        for dot in heard {
             let name = family::name(dot.label);
+            if named.len() == NAMED || !named.insert(name.clone()) {
+                continue;
+            }
             let size = canvas.extent(&name, SMALL)?;
             let radius = radius(dot.level_db).ceil() as i32;
             if let Some(place) = taken.name(self.place(dot), radius, size) {
@@ -140,7 +145,8 @@ impl<'a> Figure<'a> {
         }
         y += LEADING;
         let anchor = (HPos::Left, VPos::Center);
-        canvas.write("level, first 0.4 s", SMALL, FAINT, [LEGEND - 12, y], anchor)?;
+        let heading = format!("level, first {WINDOW_S} s");
+        canvas.write(&heading, SMALL, FAINT, [LEGEND - 12, y], anchor)?;
         y += LEADING / 2;
         for level_db in LEVELS_DB {
             let text = format!("{level_db} dB").replace('-', "−");
@@ -193,7 +199,7 @@ fn hertz(hz: f64) -> String {
 
 /// A time at its axis, without zeros that say nothing.
 fn seconds(s: f64) -> String {
-    let digits = (-s.log10().floor()).max(0.0) as usize;
+    let digits = whole(-s.log10().floor());
     format!("{s:.digits$}")
 }
 
