@@ -118,9 +118,3 @@ fn settings_are_read_as_shown_or_refused() {
         assert!(settings::automation(&mut plugin, bad).is_err(), "{bad}");
     }
 }
-
-#[test]
-fn figures_are_struck_where_the_plug_in_strikes() {
-    let default = idiophone::engine::Settings::DEFAULT;
-    assert_eq!(xtask::figure::STRIKE_POSITION, default.strike_position);
-}
