@@ -18,7 +18,7 @@ const SCALE: [i32; 2] = [1112, 1128];
 /// Lowest and highest frequency shown, in Hz.
 const RANGE_HZ: [f64; 2] = [50.0, 20_000.0];
 /// How far down from the greatest level is shown, in dB.
-const DEPTH_DB: i32 = 90;
+const DEPTH_DB: i32 = 80;
 /// Steps of level that are written at the colour scale, in dB.
 const LEVEL_STEP_DB: i32 = 10;
 /// Frequencies that are written at the axis, in Hz.
