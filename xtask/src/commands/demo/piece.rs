@@ -64,7 +64,8 @@ impl Piece {
     }
 }
 
-/// The mallet that a player would take, and a foot on the pedal where there is one.
+/// Mallets by which the pieces come out about equally loud, and dampers where there is a pedal. The
+/// hardnesses are no measured ones.
 fn hands(name: &str) -> &'static [&'static str] {
     match name {
         "vibraphone" => &["Mallet hardness=70 MPa", "Note-off=damps"],
