@@ -5,6 +5,7 @@ mod bundle;
 mod check;
 mod demo;
 mod export;
+mod figure;
 mod install;
 mod params;
 mod pencil;
@@ -17,6 +18,7 @@ pub use bundle::Bundle;
 pub use check::Check;
 pub use demo::Demo;
 pub use export::Export;
+pub use figure::Figure;
 pub use install::Install;
 pub use params::Params;
 pub use pencil::Pencil;
@@ -30,7 +32,7 @@ use clap::Subcommand;
 /// What `cargo xtask` can be asked to do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Do all of it: compute, bundle, play a short piece, draw its spectrogram
+    /// Do all of it: compute, bundle, play a short piece on each instrument, draw pictures
     Demo(Demo),
     /// Compute the banks that are missing or out of date
     Precompute(Precompute),
@@ -52,6 +54,8 @@ pub enum Command {
     Check(Check),
     /// Draw a WAV file's spectrogram
     Spectrogram(Spectrogram),
+    /// Draw the modes of one of an instrument's bodies
+    Figure(Figure),
 }
 
 impl Command {
@@ -73,6 +77,7 @@ impl Command {
             Self::Pencil(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Spectrogram(command) => command.run(),
+            Self::Figure(command) => command.run(),
         }
     }
 }

@@ -1,13 +1,16 @@
 //! Commands over the solver and the plug-in, and the CLAP host that they and the tests share.
 
 pub mod commands;
+pub mod figure;
 pub mod host;
 pub mod midi;
 pub mod settings;
 pub mod spectrogram;
 
 mod banks;
+mod canvas;
 mod matrix_market;
+mod note;
 mod output;
 mod progress;
 mod table;

@@ -118,6 +118,22 @@ fn banks_and_recipes_are_named_when_they_are_wrong() {
 }
 
 #[test]
+fn instruments_are_listed_to_who_asks_for_another() {
+    let all = ["chimes", "vibraphone", "tubular-bells", "oak-bowls"];
+    assert_says(&["demo", "gong"], &["`gong`", "allowed"]);
+    assert_says(&["demo", "chimes", "gong"], &all);
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out.png");
+    let out = out.to_str().unwrap();
+    assert_says(&["figure", "gong", out], &all);
+    assert_says(
+        &["figure", "chimes", out, "--key", "7"],
+        &["--key 7", "36…96"],
+    );
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
+#[test]
 fn spectrogram_refuses_what_is_no_sound() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("out.png");

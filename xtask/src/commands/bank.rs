@@ -1,7 +1,7 @@
 //! `bank`: what is in a bank.
 
-use crate::banks;
 use crate::table::Table;
+use crate::{banks, note};
 use anyhow::Result;
 use clap::Args;
 use modes::{Body, Damping, Mode, t60_s};
@@ -128,7 +128,7 @@ fn keys_table(bank: &modes::Bank) -> String {
     for body in &bank.bodies {
         table.push([
             body.key.to_string(),
-            note(body.key),
+            note::name(body.key),
             format!("{:.2}", body.pitch_hz),
             format!("{:.2}", 1e3 * body.length_m),
             format!("{:.1}", 1e3 * body.mass_kg),
@@ -160,15 +160,6 @@ fn modes_table(body: &Body, damping: &Damping) -> String {
         ]);
     }
     table.text(false)
-}
-
-/// A MIDI key's name, 60 being C4.
-fn note(key: u8) -> String {
-    const NAMES: [&str; 12] = [
-        "C", "C♯", "D", "E♭", "E", "F", "F♯", "G", "A♭", "A", "B♭", "B",
-    ];
-    let octave = i32::from(key / 12) - 1;
-    format!("{}{octave}", NAMES[usize::from(key % 12)])
 }
 
 #[cfg(test)]
@@ -251,12 +242,5 @@ mod tests {
             error.contains("--key 7") && error.contains("74…74"),
             "{error}"
         );
-    }
-
-    #[test]
-    fn keys_are_named_as_midi_names_them() {
-        assert_eq!(note(74), "D5");
-        assert_eq!(note(60), "C4");
-        assert_eq!(note(0), "C-1");
     }
 }

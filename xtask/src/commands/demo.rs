@@ -1,52 +1,70 @@
-//! `demo`: everything, from the recipe to a picture of the sound.
+//! `demo`: everything, from the recipes to pictures of the sounds.
 
-use super::{Precompute, Render, Spectrogram, bundle};
+mod piece;
+
+use super::{Figure, Precompute, Spectrogram, bundle};
+use crate::midi::Song;
 use crate::workspace;
 use anyhow::{Context, Result};
 use clap::Args;
+use piece::Piece;
 use std::fs;
-
-/// A hand laid on the tubes after the last bar, which would otherwise ring for minutes.
-const DAMPING: &str = "Alpha 2@27.5:0.25 1/s,28:0.5 1/s,28.5:1 1/s,29:1.5 1/s,29.5:2 1/s";
+use std::path::Path;
 
 /// Arguments of `demo`.
 #[derive(Args, Debug)]
-pub struct Demo {}
+pub struct Demo {
+    /// Only these instruments; without a name, all of them
+    #[arg(value_name = "NAME")]
+    pub names: Vec<String>,
+}
 
 impl Demo {
     pub(super) fn run(&self) -> Result<()> {
+        let pieces = Piece::called(&self.names)?;
         let out = workspace::target_dir()?.join("demo");
         fs::create_dir_all(&out).with_context(|| format!("{}: cannot write", out.display()))?;
-        let song = workspace::root().join("songs").join("chimes.mid");
-        let (wav, png) = (out.join("chimes.wav"), out.join("chimes.png"));
 
-        println!("1/4 The bank: tubes, their finite elements, their modes.");
+        println!("1/3 The banks: shapes, their finite elements, their modes.");
         Precompute {
             name: None,
             force: false,
         }
         .run()?;
-        println!("2/4 The plug-in, with the bank inside.");
+        println!("2/3 The plug-in, with the banks inside.");
         bundle::bundle()?;
-        println!("3/4 A piece for chimes, played by the plug-in; its end is damped by hand.");
-        let mut render = Render::plain(song, wav.clone());
-        render.automate.push(DAMPING.to_owned());
-        render.run()?;
-        println!("4/4 What it sounds like, in a picture.");
-        Spectrogram {
-            input: wav.clone(),
-            output: png.clone(),
-            title: Some("Idiophone: songs/chimes.mid".to_owned()),
+        println!("3/3 A piece for each, played by the plug-in and damped by hand at its end;");
+        println!("    its spectrogram, and the modes of one body.");
+        for piece in &pieces {
+            show(piece, &out)?;
         }
-        .run()?;
 
         println!();
-        println!("CLAP         {}", workspace::bundled_clap()?.display());
-        println!("VST3         {}", workspace::bundled_vst3()?.display());
-        println!("sound        {}", wav.display());
-        println!("spectrogram  {}", png.display());
+        println!("CLAP  {}", workspace::bundled_clap()?.display());
+        println!("VST3  {}", workspace::bundled_vst3()?.display());
         println!();
         println!("`cargo xtask install` puts the plug-in where your DAW looks for it.");
         Ok(())
     }
+}
+
+/// Writes a piece's sound and pictures to the folder `out`.
+fn show(piece: &Piece, out: &Path) -> Result<()> {
+    println!("{}", piece.title);
+    let name = piece.name;
+    let wav = out.join(format!("{name}.wav"));
+    let song_s = Song::read(&piece.song())?.seconds;
+    piece.render(song_s, &wav).run()?;
+    Spectrogram {
+        input: wav,
+        output: out.join(format!("{name}.png")),
+        title: Some(format!("{}: songs/{name}.mid", piece.title)),
+    }
+    .run()?;
+    Figure {
+        instrument: name.to_owned(),
+        output: out.join(format!("{name}-modes.png")),
+        key: None,
+    }
+    .run()
 }
