@@ -24,8 +24,17 @@ fn main() -> Result<(), Box<dyn Error>> {
          const TITLES: [&str; COUNT] = [\n{titles}];\n"
     );
     std::fs::write(out.join("banks.rs"), list)?;
+    stay_loaded();
     println!("cargo::rerun-if-changed=build.rs");
     Ok(())
+}
+
+/// Hosts unload plug-ins while threads of theirs that have been inside still run; what such a thread
+/// left to be done at its end must then still be there.
+fn stay_loaded() {
+    if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "linux") {
+        println!("cargo::rustc-cdylib-link-arg=-Wl,-z,nodelete");
+    }
 }
 
 /// Cargo's target folder, where `cargo xtask precompute` keeps banks too; `out` itself if it lies in

@@ -158,9 +158,32 @@ impl Body {
         }
     }
 
+    /// A mallet touches down at `position` on the line: every mode may ring from now on.
+    ///
+    /// A mode's sound goes with its acceleration, −ω² times its displacement while it rings; but what
+    /// a force F holds it out without moving it, Fφ/ω², is silent. `contact.direct` is that part of
+    /// the displacement as the buses have it, for one newton.
+    pub(crate) fn strike(&mut self, position: f64, contact: &mut Contact) {
+        self.gains(position, &mut contact.gain);
+        let hear = &self.oscillators.hear;
+        for (direct, hear) in contact
+            .direct
+            .iter_mut()
+            .zip([&hear[0], &hear[2], &hear[4]])
+        {
+            let still = contact.gain.iter().zip(&self.inverse_omega_s);
+            *direct = still
+                .zip(hear)
+                .map(|((gain, inverse), hear)| gain * inverse * hear)
+                .sum();
+        }
+        self.contacts += 1;
+        self.oscillators.live = self.oscillators.len();
+    }
+
     /// What a unit impulse at `position` on the line adds to each mode's x (O'Brien 2002, Eq. 18
     /// without its 2), weighted by what the mode sends out.
-    pub(crate) fn gains(&self, position: f64, gains: &mut [f64]) {
+    fn gains(&self, position: f64, gains: &mut [f64]) {
         let modes = self.modes();
         let gains = &mut gains[..modes];
         gains.fill(0.0);
@@ -180,12 +203,6 @@ impl Body {
         }
     }
 
-    /// A mallet touches down: every mode may ring from now on.
-    pub(crate) fn touched(&mut self) {
-        self.contacts += 1;
-        self.oscillators.live = self.oscillators.len();
-    }
-
     /// A mallet leaves.
     pub(crate) fn left(&mut self) {
         self.contacts -= 1;
@@ -202,9 +219,10 @@ impl Body {
     pub(crate) fn ring(
         &mut self,
         kernel: Kernel,
-        contacts: &[Contact],
+        contacts: &mut [Contact],
         key: u8,
         samples: usize,
+        step_s: f64,
         out: &mut Buses,
     ) {
         debug_assert!(samples <= GRID);
@@ -217,6 +235,9 @@ impl Body {
                 uptake: &self.uptake,
             };
             kernel.ring_pushed(&mut self.oscillators, push, samples, out);
+            for contact in contacts.iter_mut().filter(|c| c.key == Some(key)) {
+                contact.press(step_s, samples, out);
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::GRID;
 use super::bessel::ORDERS;
+use super::oscillators::Buses;
 use super::pulse::Pulse;
 
 /// One mallet on one body.
@@ -13,10 +14,14 @@ pub(crate) struct Contact {
     pub(crate) pulse: Pulse,
     /// What a unit impulse adds to the x of each of the body's modes.
     pub(crate) gain: Vec<f64>,
+    /// What one newton takes off the buses: see [`super::body::Body::strike`].
+    pub(crate) direct: [f64; 3],
     /// Legendre moments of the force over the samples being rendered, by order.
     pub(crate) moments: [[f64; GRID]; ORDERS],
     elapsed: u32,
     given_n_s: f64,
+    /// Impulse of the sample before the next one, in N·s.
+    last_n_s: f64,
 }
 
 impl Contact {
@@ -29,9 +34,11 @@ impl Contact {
                 duration_s: 1.0,
             },
             gain: vec![0.0; modes.next_multiple_of(super::oscillators::LANES)],
+            direct: [0.0; 3],
             moments: [[0.0; GRID]; ORDERS],
             elapsed: 0,
             given_n_s: 0.0,
+            last_n_s: 0.0,
         }
     }
 
@@ -41,6 +48,7 @@ impl Contact {
         self.pulse = pulse;
         self.elapsed = 0;
         self.given_n_s = 0.0;
+        self.last_n_s = 0.0;
     }
 
     /// Works out the moments of the next `samples` samples of `step_s` and counts them as gone by.
@@ -56,9 +64,22 @@ impl Contact {
         }
     }
 
+    /// Takes what the force holds without moving off `buses`, whose samples are those of the last
+    /// [`Self::prepare`].
+    pub(crate) fn press(&mut self, step_s: f64, samples: usize, buses: &mut Buses) {
+        for n in 0..samples {
+            // The mean force about the instant of a sample: half of the one before it, half of it.
+            let force_n = 0.5 * (self.last_n_s + self.moments[0][n]) / step_s;
+            self.last_n_s = self.moments[0][n];
+            for (bus, direct) in buses.iter_mut().zip(self.direct) {
+                bus[n] -= direct * force_n;
+            }
+        }
+    }
+
     /// Whether the mallet has left.
     pub(crate) fn is_over(&self, step_s: f64) -> bool {
-        f64::from(self.elapsed) * step_s >= self.pulse.duration_s
+        f64::from(self.elapsed) * step_s >= self.pulse.duration_s && self.last_n_s == 0.0
     }
 
     /// Impulse still to come, in N·s.

@@ -247,8 +247,7 @@ impl Engine {
         }
         let contact = &mut self.contacts[slot];
         contact.begin(key, mallet.pulse(body.mass_kg, touch.speed_m_s));
-        body.gains(touch.position, &mut contact.gain);
-        body.touched();
+        body.strike(touch.position, contact);
         self.on_bodies += 1;
         true
     }
@@ -398,7 +397,14 @@ impl Engine {
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            body.ring(self.kernel, &self.contacts, key, run, &mut one);
+            body.ring(
+                self.kernel,
+                &mut self.contacts,
+                key,
+                run,
+                self.step_s,
+                &mut one,
+            );
             for (all, one) in all.iter_mut().zip(&one) {
                 for (sum, sample) in all[..run].iter_mut().zip(one) {
                     *sum += sample;

@@ -1,7 +1,11 @@
 //! How loud: from Pa to full scale, key by key, once for an instrument.
 
+use super::GRID;
 use super::body::heard;
+use super::contact::Contact;
 use super::mallet::Mallet;
+use super::oscillators::Kernel;
+use super::pulse::Pulse;
 use super::touch::Touch;
 use super::{Losses, Settings};
 use modes::{Body, Damping, Mode, Motion, Stencil};
@@ -21,8 +25,8 @@ const WINDOW_S: f64 = 0.4;
 /// at the very worst, and 10 dB as a rule.
 const PEAK_DB: f64 = -18.0;
 
-/// How finely and how long the sum of modes is looked at for its peak: no engine's rate, so that the
-/// level does not depend on it.
+/// How finely and how long a blow is looked at for its peak: at no host's rate, so that the level
+/// does not depend on it.
 const LOOK_HZ: f64 = 96_000.0;
 const LOOK_SAMPLES: usize = 960;
 
@@ -30,8 +34,8 @@ const LOOK_SAMPLES: usize = 960;
 struct Ringing {
     hz: f64,
     decay_per_s: f64,
-    /// Pressure at the left and right ear as (of y, of x), in Pa.
-    ears: [[f64; 2]; 2],
+    /// Σ|p|² over both ears, in Pa².
+    power: f64,
 }
 
 /// Factors from Pa to full scale for `bodies`, whose material takes `own`.
@@ -44,7 +48,7 @@ pub(crate) fn full_scales(own: &Damping, bodies: &[&Body]) -> Vec<f64> {
     let mut scales: Vec<f64> = bodies
         .iter()
         .map(|body| {
-            let loudness = loudness_pa(&struck(own, body, VELOCITY));
+            let loudness = loudness_pa(&struck(own, body));
             if loudness > 0.0 && loudness.is_finite() {
                 target / loudness
             } else {
@@ -55,7 +59,7 @@ pub(crate) fn full_scales(own: &Damping, bodies: &[&Body]) -> Vec<f64> {
     let peak = bodies
         .iter()
         .zip(&scales)
-        .map(|(body, scale)| scale * peak_pa(&struck(own, body, 1.0)))
+        .map(|(body, scale)| scale * peak_pa(own, body))
         .filter(|peak| peak.is_finite())
         .fold(0.0, f64::max);
     let limit = 10f64.powf(PEAK_DB / 20.0);
@@ -67,12 +71,18 @@ pub(crate) fn full_scales(own: &Damping, bodies: &[&Body]) -> Vec<f64> {
     scales
 }
 
-/// The modes of `body` after a blow of `velocity` 0…1 with default settings.
-fn struck(own: &Damping, body: &Body, velocity: f32) -> Vec<Ringing> {
+/// Where a blow of `velocity` 0…1 with default settings lands, and its force.
+fn blow(body: &Body, velocity: f32) -> (f64, Pulse) {
     let settings = Settings::default();
     let touch = Touch::new(&settings, velocity, 0.0);
-    let pulse = Mallet::of_hardness(settings.hardness_pa).pulse(body.mass_kg, touch.speed_m_s);
-    let stencil = Stencil::at(touch.position, body.line.len());
+    let mallet = Mallet::of_hardness(settings.hardness_pa);
+    (touch.position, mallet.pulse(body.mass_kg, touch.speed_m_s))
+}
+
+/// The modes of `body` after a blow of [`VELOCITY`].
+fn struck(own: &Damping, body: &Body) -> Vec<Ringing> {
+    let (position, pulse) = blow(body, VELOCITY);
+    let stencil = Stencil::at(position, body.line.len());
     let drain = Losses::AS_BUILT.drain(own);
     let fits = |mode: &&Mode| mode.shape.len() == body.line.len();
     body.modes
@@ -100,7 +110,11 @@ fn struck(own: &Damping, body: &Body, velocity: f32) -> Vec<Ringing> {
             Some(Ringing {
                 hz,
                 decay_per_s,
-                ears: heard(mode).map(|ear| ear.map(|x| amplitude * f64::from(x))),
+                power: heard(mode)
+                    .iter()
+                    .flatten()
+                    .map(|x| (amplitude * f64::from(*x)).powi(2))
+                    .sum(),
             })
         })
         .collect()
@@ -111,7 +125,6 @@ fn loudness_pa(modes: &[Ringing]) -> f64 {
     let square: f64 = modes
         .iter()
         .map(|mode| {
-            let power: f64 = mode.ears.iter().flatten().map(|x| x * x).sum();
             let fall = 2.0 * mode.decay_per_s * WINDOW_S;
             // Mean of e^(−2dt) over the window; sin² is a half.
             let mean = if fall > 1e-9 {
@@ -119,7 +132,7 @@ fn loudness_pa(modes: &[Ringing]) -> f64 {
             } else {
                 1.0
             };
-            0.5 * 0.5 * power * mean * a_weight(mode.hz).powi(2)
+            0.5 * 0.5 * mode.power * mean * a_weight(mode.hz).powi(2)
         })
         .sum();
     square.sqrt()
@@ -136,23 +149,27 @@ fn a_weight(hz: f64) -> f64 {
     response(hz) / response(1000.0)
 }
 
-/// Greatest pressure at an ear in the first hundredth of a second, in Pa.
-fn peak_pa(modes: &[Ringing]) -> f64 {
-    let mut sums = [[0.0; LOOK_SAMPLES]; 2];
-    for mode in modes {
-        let radius = (-mode.decay_per_s / LOOK_HZ).exp();
-        let (sin, cos) = (TAU * mode.hz / LOOK_HZ).sin_cos();
-        let (mut x, mut y) = (1.0, 0.0);
-        let [left, right] = &mut sums;
-        for (left, right) in left.iter_mut().zip(right) {
-            *left += mode.ears[0][0] * y + mode.ears[0][1] * x;
-            *right += mode.ears[1][0] * y + mode.ears[1][1] * x;
-            (x, y) = (radius * (cos * x - sin * y), radius * (cos * y + sin * x));
-        }
+/// Greatest pressure at an ear in the first hundredth of a second after the hardest blow, in Pa.
+fn peak_pa(own: &Damping, body: &Body) -> f64 {
+    let (kernel, step_s) = (Kernel::detect(), 1.0 / LOOK_HZ);
+    let mut ringing = super::body::Body::new(body, step_s, 1.0);
+    ringing.tune(kernel, Losses::AS_BUILT.drain(own));
+    let (position, pulse) = blow(body, 1.0);
+    let mut contacts = [Contact::new(ringing.modes())];
+    contacts[0].begin(body.key, pulse);
+    ringing.strike(position, &mut contacts[0]);
+    let mut peak = 0.0f64;
+    for _ in 0..LOOK_SAMPLES / GRID {
+        let mut buses = [[0.0; GRID]; 3];
+        contacts[0].prepare(GRID, step_s);
+        ringing.ring(kernel, &mut contacts, body.key, GRID, step_s, &mut buses);
+        let [left, right, _] = buses;
+        peak = left
+            .iter()
+            .chain(&right)
+            .fold(peak, |peak, x| peak.max(x.abs()));
     }
-    sums.iter()
-        .flatten()
-        .fold(0.0, |peak: f64, value| peak.max(value.abs()))
+    peak
 }
 
 #[cfg(test)]

@@ -135,6 +135,31 @@ fn strikes_add_up() {
     assert!(db(worst / peak) < -138.0, "{} dB", db(worst / peak));
 }
 
+/// Air that is pushed and not accelerated is silent: whatever the mallet, the pressure adds up to
+/// nothing, as that of no real blow does not.
+#[test]
+fn a_blow_leaves_no_thump() {
+    for hardness_pa in [1e6, 5e7, 2e9, 1e11] {
+        let settings = Settings {
+            hardness_pa,
+            losses: Losses::only(Damping {
+                rayleigh: Rayleigh {
+                    alpha1_s: 0.0,
+                    alpha2_per_s: 100.0,
+                },
+                loss_factor: 0.0,
+            }),
+            ..Settings::default()
+        };
+        let signal = struck(&settings, 1.0, 48_000);
+        let (sum, size) = signal
+            .iter()
+            .fold((0.0, 0.0), |(sum, size), s| (sum + s, size + s.abs()));
+        println!("{hardness_pa:.0e} Pa: {:.1} dB", db(f64::abs(sum) / size));
+        assert!(db(f64::abs(sum) / size) < -40.0, "{hardness_pa:e} Pa");
+    }
+}
+
 /// One event of a busy song.
 enum Event {
     Strike(u8, f32),
