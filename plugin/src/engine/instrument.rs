@@ -6,7 +6,7 @@ use super::damper::{Damper, bit};
 use super::glide::Glide;
 use super::level::full_scales;
 use super::losses::{Drain, Losses};
-use super::mallet::Mallet;
+use super::mallet::{Mallet, contact_modulus_pa};
 use super::oscillators::{Buses, Kernel};
 use super::touch::{Touch, chance};
 use super::{GRID, Settings};
@@ -33,6 +33,8 @@ pub struct Engine {
     bodies: Vec<Option<Body>>,
     /// What the material of the bodies takes by itself.
     own: Damping,
+    /// E/(1 − ν²) of that material, in Pa.
+    modulus_pa: f64,
     contacts: Vec<Contact>,
     on_bodies: usize,
     awake: u128,
@@ -178,7 +180,7 @@ impl Engine {
                     && body.mass_kg > 0.0
             })
             .collect();
-        for (body, scale) in usable.iter().zip(full_scales(&bank.damping, &usable)) {
+        for (body, scale) in usable.iter().zip(full_scales(bank, &usable)) {
             bodies[usize::from(body.key)] = Some(Body::new(body, step_s, scale));
         }
         let most = bodies.iter().flatten().map(Body::modes).max().unwrap_or(0);
@@ -189,6 +191,7 @@ impl Engine {
         Self {
             bodies,
             own: bank.damping,
+            modulus_pa: contact_modulus_pa(&bank.material),
             contacts: vec![Contact::new(most); CONTACTS],
             on_bodies: 0,
             awake: 0,
@@ -236,7 +239,7 @@ impl Engine {
         }
         self.damper.press(key);
         let touch = Touch::new(&self.settings, velocity, chance(key, self.position));
-        let mallet = Mallet::of_hardness(self.settings.hardness_pa);
+        let mallet = Mallet::new(self.settings.hardness_pa, self.modulus_pa);
         let slot = self.vacate_slot();
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
             return false;

@@ -3,12 +3,12 @@
 use super::GRID;
 use super::body::heard;
 use super::contact::Contact;
-use super::mallet::Mallet;
+use super::mallet::{Mallet, contact_modulus_pa};
 use super::oscillators::Kernel;
 use super::pulse::Pulse;
 use super::touch::Touch;
 use super::{Losses, Settings};
-use modes::{Body, Damping, Mode, Motion, Stencil};
+use modes::{Bank, Body, Mode, Motion, Stencil};
 use std::f64::consts::TAU;
 
 /// Velocity of the strike by which bodies are made equally loud.
@@ -16,14 +16,14 @@ const VELOCITY: f32 = 100.0 / 127.0;
 
 /// Level that this strike gives every body: A-weighted, mean of the ears, over the first 0.4 s (the
 /// momentary window of EBU R 128), in dB below a full-scale square.
-const LOUDNESS_DB: f64 = -36.0;
+const LOUDNESS_DB: f64 = -44.0;
 
 /// The window, in s.
 const WINDOW_S: f64 = 0.4;
 
-/// Greatest peak of the hardest strike on any body, in dB: ten of them at once add up to 20 dB more
-/// at the very worst, and 10 dB as a rule.
-const PEAK_DB: f64 = -18.0;
+/// Greatest peak of the hardest strike on any body, in dB: blows at the same instant add up nearly in
+/// step, and five and a half of them fit.
+const PEAK_DB: f64 = -15.0;
 
 /// How finely and how long a blow is looked at for its peak: at no host's rate, so that the level
 /// does not depend on it.
@@ -38,52 +38,40 @@ struct Ringing {
     power: f64,
 }
 
-/// Factors from Pa to full scale for `bodies`, whose material takes `own`.
+/// Factors from Pa to full scale for `bodies` of `bank`.
 ///
 /// Every body is struck once with default settings; its modes' closed form gives its loudness and
-/// its peak. All are made equally loud, and where that would bring the hardest blow's peak above
-/// [`PEAK_DB`], the whole instrument is turned down. 1 for a body that does not sound.
-pub(crate) fn full_scales(own: &Damping, bodies: &[&Body]) -> Vec<f64> {
-    let target = 10f64.powf(LOUDNESS_DB / 20.0);
-    let mut scales: Vec<f64> = bodies
+/// the engine its peak. All are made equally loud but for those whose hardest blow would then peak
+/// above [`PEAK_DB`]: these are turned down to it. 1 for a body that does not sound.
+pub(crate) fn full_scales(bank: &Bank, bodies: &[&Body]) -> Vec<f64> {
+    let [target, limit] = [LOUDNESS_DB, PEAK_DB].map(|db| 10f64.powf(db / 20.0));
+    bodies
         .iter()
         .map(|body| {
-            let loudness = loudness_pa(&struck(own, body));
-            if loudness > 0.0 && loudness.is_finite() {
-                target / loudness
+            let loud = target / loudness_pa(&struck(bank, body));
+            let scale = loud.min(limit / peak_pa(bank, body));
+            if scale > 0.0 && scale.is_finite() {
+                scale
             } else {
                 1.0
             }
         })
-        .collect();
-    let peak = bodies
-        .iter()
-        .zip(&scales)
-        .map(|(body, scale)| scale * peak_pa(own, body))
-        .filter(|peak| peak.is_finite())
-        .fold(0.0, f64::max);
-    let limit = 10f64.powf(PEAK_DB / 20.0);
-    if peak > limit {
-        for scale in &mut scales {
-            *scale *= limit / peak;
-        }
-    }
-    scales
+        .collect()
 }
 
 /// Where a blow of `velocity` 0…1 with default settings lands, and its force.
-fn blow(body: &Body, velocity: f32) -> (f64, Pulse) {
+fn blow(bank: &Bank, body: &Body, velocity: f32) -> (f64, Pulse) {
     let settings = Settings::default();
     let touch = Touch::new(&settings, velocity, 0.0);
-    let mallet = Mallet::of_hardness(settings.hardness_pa);
+    let mallet = Mallet::new(settings.hardness_pa, contact_modulus_pa(&bank.material));
     (touch.position, mallet.pulse(body.mass_kg, touch.speed_m_s))
 }
 
 /// The modes of `body` after a blow of [`VELOCITY`].
-fn struck(own: &Damping, body: &Body) -> Vec<Ringing> {
-    let (position, pulse) = blow(body, VELOCITY);
+fn struck(bank: &Bank, body: &Body) -> Vec<Ringing> {
+    let (position, pulse) = blow(bank, body, VELOCITY);
     let stencil = Stencil::at(position, body.line.len());
-    let drain = Losses::AS_BUILT.drain(own);
+    let drain = Losses::AS_BUILT.drain(&bank.damping);
     let fits = |mode: &&Mode| mode.shape.len() == body.line.len();
     body.modes
         .iter()
@@ -150,11 +138,11 @@ fn a_weight(hz: f64) -> f64 {
 }
 
 /// Greatest pressure at an ear in the first hundredth of a second after the hardest blow, in Pa.
-fn peak_pa(own: &Damping, body: &Body) -> f64 {
+fn peak_pa(bank: &Bank, body: &Body) -> f64 {
     let (kernel, step_s) = (Kernel::detect(), 1.0 / LOOK_HZ);
     let mut ringing = super::body::Body::new(body, step_s, 1.0);
-    ringing.tune(kernel, Losses::AS_BUILT.drain(own));
-    let (position, pulse) = blow(body, 1.0);
+    ringing.tune(kernel, Losses::AS_BUILT.drain(&bank.damping));
+    let (position, pulse) = blow(bank, body, 1.0);
     let mut contacts = [Contact::new(ringing.modes())];
     contacts[0].begin(body.key, pulse);
     ringing.strike(position, &mut contacts[0]);

@@ -1,6 +1,17 @@
 //! What strikes: its mass, its head and how long it stays on the body.
 
 use super::pulse::Pulse;
+use modes::Material;
+
+/// E/(1 − ν²) in Pa of a body's material; that of a body that does not give way if it is none.
+pub(crate) fn contact_modulus_pa(material: &Material) -> f64 {
+    let modulus_pa = material.young_pa() / (1.0 - material.poisson().powi(2));
+    if modulus_pa > 0.0 {
+        modulus_pa
+    } else {
+        f64::INFINITY
+    }
+}
 
 /// A mallet with a round head.
 #[derive(Clone, Copy, Debug)]
@@ -17,12 +28,13 @@ pub(crate) struct Mallet {
 const CONTACT_S: (f64, f64) = (20e-6, 50e-3);
 
 impl Mallet {
-    /// A 30 g hammer with a head of 15 mm radius.
-    pub(crate) fn of_hardness(modulus_pa: f64) -> Self {
+    /// A 30 g hammer with a head of 15 mm radius and modulus `head_pa` on a body of modulus `body_pa`,
+    /// both E/(1 − ν²): what is softer gives way (Johnson 1985, Eq. 4.18).
+    pub(crate) fn new(head_pa: f64, body_pa: f64) -> Self {
         Self {
             mass_kg: 0.030,
             head_radius_m: 0.015,
-            modulus_pa,
+            modulus_pa: 1.0 / (1.0 / head_pa + 1.0 / body_pa),
         }
     }
 
@@ -60,7 +72,7 @@ mod tests {
 
     #[test]
     fn contact_lasts_as_long_as_hertz_force_takes() {
-        let mallet = Mallet::of_hardness(1e9);
+        let mallet = Mallet::new(1e9, 7e10);
         for speed in [0.05, 1.0, 5.0] {
             let pulse = mallet.pulse(1e9, speed);
             let time = collide(&mallet, mallet.mass_kg, speed);
@@ -70,8 +82,15 @@ mod tests {
     }
 
     #[test]
+    fn the_softer_of_the_two_gives_way() {
+        assert!((Mallet::new(1e6, 7e10).modulus_pa / 1e6 - 1.0).abs() < 1e-4);
+        assert!((Mallet::new(7e10, 3e8).modulus_pa / 3e8 - 1.0).abs() < 5e-3);
+        assert_eq!(Mallet::new(2e9, 2e9).modulus_pa, 1e9);
+    }
+
+    #[test]
     fn contact_time_falls_with_speed_to_the_fifth_root() {
-        let mallet = Mallet::of_hardness(1e8);
+        let mallet = Mallet::new(1e8, 7e10);
         let ratio = mallet.pulse(0.5, 0.1).duration_s / mallet.pulse(0.5, 3.2).duration_s;
         assert!((ratio - 2.0).abs() < 1e-9);
     }

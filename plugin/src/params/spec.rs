@@ -83,7 +83,7 @@ pub const MALLET_HARDNESS: Spec = Spec {
     max: *range::HARDNESS_PA.end() as f32,
     default: NORMAL.hardness_pa as f32,
     tooltip: "Stiffness of the mallet's head: 1 MPa is soft yarn, 1 GPa rawhide, 100 GPa brass. \
-              Harder heads leave sooner and sound brighter.",
+              Harder heads leave sooner and sound brighter, up to what the body itself withstands.",
     skew: 0.15,
     text: Text::Pascals,
 };
@@ -237,7 +237,7 @@ pub const OUTPUT_GAIN: Spec = Spec {
     min: *range::GAIN_DB.start() as f32,
     max: *range::GAIN_DB.end() as f32,
     default: NORMAL.gain_db as f32,
-    tooltip: "Level of the whole. At 0 dB no single strike peaks above -18 dB full scale, so that chords fit.",
+    tooltip: "Level of the whole. At 0 dB no single strike peaks above -15 dB full scale, so that chords fit.",
     skew: 1.0,
     text: Text::Decibels,
 };
