@@ -135,6 +135,17 @@ impl ClapPlugin for Idiophone {
                 page.add_param(&controls.note_off);
                 page.add_param(&controls.instrument);
             });
+            section.add_page("Losses and motor", |page| {
+                let controls = &self.controls;
+                page.add_param(&controls.own_damping);
+                page.add_param(&controls.loss_factor);
+                page.add_param(&controls.radiation);
+                page.add_param(&controls.supports);
+                page.add_param(&controls.motor_speed);
+                page.add_param(&controls.motor_depth);
+                page.add_param(&controls.motor_phase);
+                page.add_param(&controls.output_gain);
+            });
         });
     }
 }

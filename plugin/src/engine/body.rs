@@ -1,8 +1,9 @@
 //! One object: its modes, and how they wake, change and fall asleep.
 
 use super::losses::Drain;
-use super::oscillators::{Buses, Kernel, Oscillators, Push, Uptake};
+use super::oscillators::{Buses, Hear, Kernel, Oscillators, Push, Uptake};
 use super::rates::{Rates, Retune, uptake};
+use super::resonator::Resonator;
 use super::{GRID, contact::Contact};
 use modes::{Ears, Stencil};
 
@@ -21,6 +22,8 @@ pub(crate) struct Body {
     /// Whether the bank says what the damper's felt does to it.
     pub(crate) has_felt: bool,
     oscillators: Oscillators,
+    /// What is heard through the resonator, if there is one.
+    resonator: Option<Resonator>,
     rates: Rates,
     uptake: Uptake,
     /// φ·n̂ in kg^(−1/2), point by point and mode by mode.
@@ -33,12 +36,23 @@ pub(crate) struct Body {
     tuned: Option<Drain>,
 }
 
+/// Samples to ring.
+#[derive(Clone, Copy)]
+pub(crate) struct Span {
+    pub(crate) samples: usize,
+    pub(crate) step_s: f64,
+    /// Open share of the resonator at the first sample, and what each adds.
+    pub(crate) open: [f64; 2],
+}
+
 /// A mode as the engine needs it.
-struct Reached {
+pub(super) struct Reached {
     hz: f64,
-    ears: Ears,
-    /// Decay rates in 1/s by radiation, supports and felt.
-    air: [f64; 3],
+    pub(super) ears: Ears,
+    /// What of that comes through the resonator.
+    pub(super) piped: Ears,
+    /// Decay rates in 1/s by radiation, supports, resonator and felt.
+    air: [f64; 4],
     normal: Vec<f32>,
 }
 
@@ -49,7 +63,7 @@ pub(crate) fn heard(mode: &modes::Mode) -> Ears {
 }
 
 /// Size of the sound at the ear that gets more of it.
-fn loudest(ears: &Ears) -> f64 {
+pub(super) fn loudest(ears: &Ears) -> f64 {
     let size = |ear: &[f32; 2]| f64::from(ear[0]).hypot(f64::from(ear[1]));
     ears.iter().map(size).fold(0.0, f64::max)
 }
@@ -81,9 +95,11 @@ fn reached(body: &modes::Body) -> Vec<Reached> {
             let mode = Reached {
                 hz: mode.hz,
                 ears: heard(mode),
+                piped: mode.pipe_ears,
                 air: [
-                    mode.radiation_per_s + mode.pipe_per_s,
+                    mode.radiation_per_s,
                     mode.support_per_s,
+                    mode.pipe_per_s,
                     mode.felt_per_s,
                 ]
                 .map(f64::from),
@@ -96,6 +112,13 @@ fn reached(body: &modes::Body) -> Vec<Reached> {
     all.retain(|(_, reach)| *reach > UNREACHED * most);
     all.sort_by(|(a, _), (b, _)| a.hz.total_cmp(&b.hz));
     all.into_iter().map(|(mode, _)| mode).collect()
+}
+
+/// What `ears` make of y and x in units of `size`: left, right, and without a place.
+pub(super) fn gains_of(ears: &Ears, size: f64) -> [f64; 5] {
+    let [left, right] = ears.map(|ear| ear.map(|x| f64::from(x) / size));
+    let power: f64 = left.iter().chain(&right).map(|x| x * x).sum();
+    [left[0], left[1], right[0], right[1], (0.5 * power).sqrt()]
 }
 
 impl Body {
@@ -113,9 +136,7 @@ impl Body {
             let size = loudest(&mode.ears);
             weight[i] = size * scale;
             if size > 0.0 {
-                let [left, right] = mode.ears.map(|ear| ear.map(|x| f64::from(x) / size));
-                let power: f64 = left.iter().chain(&right).map(|x| x * x).sum();
-                let hear = [left[0], left[1], right[0], right[1], (0.5 * power).sqrt()];
+                let hear = gains_of(&mode.ears, size);
                 for (gains, gain) in oscillators.hear.iter_mut().zip(hear) {
                     gains[i] = gain;
                 }
@@ -127,7 +148,7 @@ impl Body {
         Self {
             mass_kg: body.mass_kg,
             contacts: 0,
-            has_felt: modes.iter().any(|mode| mode.air[2] > 0.0),
+            has_felt: modes.iter().any(|mode| mode.air[3] > 0.0),
             rates: Rates::new(&hz, |i| modes[i].air, step_s),
             uptake: uptake(&omega, step_s),
             normal,
@@ -135,6 +156,7 @@ impl Body {
             weight,
             inverse_omega_s: vec![0.0; padded],
             tuned: None,
+            resonator: Resonator::take_from(&mut oscillators, &modes),
             oscillators,
         }
     }
@@ -161,22 +183,24 @@ impl Body {
     /// A mallet touches down at `position` on the line: every mode may ring from now on.
     ///
     /// A mode's sound goes with its acceleration, −ω² times its displacement while it rings; but what
-    /// a force F holds it out without moving it, Fφ/ω², is silent. `contact.direct` is that part of
+    /// a force F holds it out without moving it, Fφ/ω², is silent. `contact.still` is that part of
     /// the displacement as the buses have it, for one newton.
     pub(crate) fn strike(&mut self, position: f64, contact: &mut Contact) {
         self.gains(position, &mut contact.gain);
-        let hear = &self.oscillators.hear;
-        for (direct, hear) in contact
-            .direct
-            .iter_mut()
-            .zip([&hear[0], &hear[2], &hear[4]])
-        {
-            let still = contact.gain.iter().zip(&self.inverse_omega_s);
-            *direct = still
-                .zip(hear)
-                .map(|((gain, inverse), hear)| gain * inverse * hear)
-                .sum();
-        }
+        let still = |hear: &Hear| {
+            [0, 2, 4].map(|bus| {
+                let modes = contact.gain.iter().zip(&self.inverse_omega_s);
+                let heard = modes.zip(&hear[bus]);
+                heard
+                    .map(|((gain, inverse), hear)| gain * inverse * hear)
+                    .sum()
+            })
+        };
+        let resonator = self.resonator.as_ref();
+        contact.still = [
+            still(&self.oscillators.hear),
+            resonator.map_or([0.0; 3], |resonator| still(resonator.hear())),
+        ];
         self.contacts += 1;
         self.oscillators.live = self.oscillators.len();
     }
@@ -215,28 +239,38 @@ impl Body {
         }
     }
 
-    /// Writes the next `samples` to `out`.
+    /// Writes the next samples to `out`.
     pub(crate) fn ring(
         &mut self,
         kernel: Kernel,
         contacts: &mut [Contact],
         key: u8,
-        samples: usize,
-        step_s: f64,
+        span: Span,
         out: &mut Buses,
     ) {
+        let samples = span.samples;
         debug_assert!(samples <= GRID);
-        if self.contacts == 0 {
-            kernel.ring(&mut self.oscillators, samples, out);
-        } else {
-            let push = Push {
-                contacts,
-                key,
-                uptake: &self.uptake,
-            };
-            kernel.ring_pushed(&mut self.oscillators, push, samples, out);
+        let push = Push {
+            contacts,
+            key,
+            uptake: &self.uptake,
+        };
+        let push = (self.contacts > 0).then_some(push);
+        let resonator = self.resonator.as_mut();
+        let piped = resonator.map(|r| r.ring(kernel, &self.oscillators, push, samples));
+        kernel.ring(&mut self.oscillators, push, samples, out);
+        if let Some(piped) = piped {
+            let [mut open, step] = span.open;
+            for n in 0..samples {
+                for (bus, piped) in out.iter_mut().zip(&piped) {
+                    bus[n] += open * piped[n];
+                }
+                open += step;
+            }
+        }
+        if self.contacts > 0 {
             for contact in contacts.iter_mut().filter(|c| c.key == Some(key)) {
-                contact.press(step_s, samples, out);
+                contact.press(span, out);
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use super::GRID;
 use super::bessel::ORDERS;
+use super::body::Span;
 use super::oscillators::Buses;
 use super::pulse::Pulse;
 
@@ -14,8 +15,9 @@ pub(crate) struct Contact {
     pub(crate) pulse: Pulse,
     /// What a unit impulse adds to the x of each of the body's modes.
     pub(crate) gain: Vec<f64>,
-    /// What one newton takes off the buses: see [`super::body::Body::strike`].
-    pub(crate) direct: [f64; 3],
+    /// What one newton takes off the buses, from the body itself and from its open resonator: see
+    /// [`super::body::Body::strike`].
+    pub(crate) still: [[f64; 3]; 2],
     /// Legendre moments of the force over the samples being rendered, by order.
     pub(crate) moments: [[f64; GRID]; ORDERS],
     elapsed: u32,
@@ -34,7 +36,7 @@ impl Contact {
                 duration_s: 1.0,
             },
             gain: vec![0.0; modes.next_multiple_of(super::oscillators::LANES)],
-            direct: [0.0; 3],
+            still: [[0.0; 3]; 2],
             moments: [[0.0; GRID]; ORDERS],
             elapsed: 0,
             given_n_s: 0.0,
@@ -66,14 +68,16 @@ impl Contact {
 
     /// Takes what the force holds without moving off `buses`, whose samples are those of the last
     /// [`Self::prepare`].
-    pub(crate) fn press(&mut self, step_s: f64, samples: usize, buses: &mut Buses) {
-        for n in 0..samples {
+    pub(crate) fn press(&mut self, span: Span, buses: &mut Buses) {
+        let [mut open, step] = span.open;
+        for n in 0..span.samples {
             // The mean force about the instant of a sample: half of the one before it, half of it.
-            let force_n = 0.5 * (self.last_n_s + self.moments[0][n]) / step_s;
+            let force_n = 0.5 * (self.last_n_s + self.moments[0][n]) / span.step_s;
             self.last_n_s = self.moments[0][n];
-            for (bus, direct) in buses.iter_mut().zip(self.direct) {
-                bus[n] -= direct * force_n;
+            for (k, bus) in buses.iter_mut().enumerate() {
+                bus[n] -= force_n * (self.still[0][k] + open * self.still[1][k]);
             }
+            open += step;
         }
     }
 

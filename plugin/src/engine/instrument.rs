@@ -1,16 +1,17 @@
 //! A body for each key, and their mix.
 
-use super::body::Body;
+use super::body::{Body, Span};
 use super::contact::{Contact, Prepare, slot_for_next};
 use super::damper::{Damper, bit};
-use super::glide::Glide;
+use super::glides::Glides;
 use super::level::full_scales;
-use super::losses::{Drain, Losses};
+use super::losses::Drain;
 use super::mallet::{Mallet, contact_modulus_pa};
+use super::motor::Motor;
 use super::oscillators::{Buses, Kernel};
 use super::touch::{Touch, chance};
 use super::{GRID, Settings};
-use modes::{Bank, Damping, Rayleigh, Stencil};
+use modes::{Bank, Damping, Stencil};
 
 /// No sample is ever beyond this, whatever is played: 36 dB over full scale. Below it the output is
 /// the sum of the modes, bit for bit.
@@ -18,9 +19,6 @@ pub const OUTPUT_BOUND: f32 = 64.0;
 
 /// Mallets that can be on bodies at the same time.
 const CONTACTS: usize = 128;
-
-/// Time a moved parameter takes, in s.
-const GLIDE_S: f64 = 0.015;
 
 /// Sample rates there are coefficients for, in Hz.
 const RATES_HZ: (f64, f64) = (1e3, 768e3);
@@ -41,102 +39,12 @@ pub struct Engine {
     damper: Damper,
     settings: Settings,
     glides: Glides,
+    motor: Motor,
     /// Gains of the stereo buses and of the plain one, at the last grid point and at the next.
     mix: [[f64; 2]; 2],
     kernel: Kernel,
     step_s: f64,
     position: u64,
-}
-
-/// Values that move slowly enough not to click.
-struct Glides {
-    own: Glide,
-    alpha1_s: Glide,
-    alpha2_per_s: Glide,
-    loss_factor: Glide,
-    radiation: Glide,
-    supports: Glide,
-    width: Glide,
-    gain: Glide,
-}
-
-impl Glides {
-    fn new(settings: &Settings, steps: u32) -> Self {
-        let Losses {
-            own,
-            added,
-            radiation,
-            supports,
-        } = settings.losses;
-        let glide = |value| Glide::new(value, steps);
-        Self {
-            own: glide(own),
-            alpha1_s: glide(added.rayleigh.alpha1_s),
-            alpha2_per_s: glide(added.rayleigh.alpha2_per_s),
-            loss_factor: glide(added.loss_factor),
-            radiation: glide(radiation),
-            supports: glide(supports),
-            width: glide(settings.width),
-            gain: glide(decibels(settings.gain_db)),
-        }
-    }
-
-    fn each(&mut self) -> [&mut Glide; 8] {
-        [
-            &mut self.own,
-            &mut self.alpha1_s,
-            &mut self.alpha2_per_s,
-            &mut self.loss_factor,
-            &mut self.radiation,
-            &mut self.supports,
-            &mut self.width,
-            &mut self.gain,
-        ]
-    }
-
-    fn aim(&mut self, settings: &Settings) {
-        let Losses {
-            own,
-            added,
-            radiation,
-            supports,
-        } = settings.losses;
-        self.own.aim(own);
-        self.alpha1_s.aim(added.rayleigh.alpha1_s);
-        self.alpha2_per_s.aim(added.rayleigh.alpha2_per_s);
-        self.loss_factor.aim(added.loss_factor);
-        self.radiation.aim(radiation);
-        self.supports.aim(supports);
-        self.width.aim(settings.width);
-        self.gain.aim(decibels(settings.gain_db));
-    }
-
-    fn drain(&self, own: &Damping) -> Drain {
-        let losses = Losses {
-            own: self.own.value(),
-            added: Damping {
-                rayleigh: Rayleigh {
-                    alpha1_s: self.alpha1_s.value(),
-                    alpha2_per_s: self.alpha2_per_s.value(),
-                },
-                loss_factor: self.loss_factor.value(),
-            },
-            radiation: self.radiation.value(),
-            supports: self.supports.value(),
-        };
-        losses.drain(own)
-    }
-
-    /// Gain of the stereo buses and of the one without places.
-    fn mix(&self) -> [f64; 2] {
-        let (gain, width) = (self.gain.value(), self.width.value());
-        [gain * width, gain * (1.0 - width)]
-    }
-}
-
-/// The factor of a level in dB.
-fn decibels(db: f64) -> f64 {
-    10f64.powf(db / 20.0)
 }
 
 /// The keys whose bits are set, from the lowest.
@@ -185,9 +93,7 @@ impl Engine {
         }
         let most = bodies.iter().flatten().map(Body::modes).max().unwrap_or(0);
         let settings = Settings::default();
-        #[expect(clippy::cast_sign_loss, reason = "both factors are positive")]
-        let steps = (GLIDE_S / (step_s * GRID as f64)).ceil() as u32;
-        let glides = Glides::new(&settings, steps);
+        let glides = Glides::new(&settings, step_s);
         Self {
             bodies,
             own: bank.damping,
@@ -197,6 +103,7 @@ impl Engine {
             awake: 0,
             damper: Damper::default(),
             mix: [glides.mix(); 2],
+            motor: Motor::new(),
             glides,
             settings,
             kernel: Kernel::detect(),
@@ -217,6 +124,7 @@ impl Engine {
         self.awake = 0;
         self.damper = Damper::default();
         self.position = 0;
+        self.motor = Motor::new();
         self.arrive();
     }
 
@@ -246,7 +154,10 @@ impl Engine {
         };
         if self.awake & bit(key) == 0 {
             self.awake |= bit(key);
-            body.tune(self.kernel, self.glides.drain(&self.own));
+            body.tune(
+                self.kernel,
+                self.glides.drain(&self.own, self.motor.taken()),
+            );
         }
         let contact = &mut self.contacts[slot];
         contact.begin(key, mallet.pulse(body.mass_kg, touch.speed_m_s));
@@ -331,14 +242,16 @@ impl Engine {
     fn look(&mut self) {
         if self.awake == 0 {
             self.arrive();
+            self.motor.advance(&self.glides.discs(), self.step_s);
             return;
         }
         for glide in self.glides.each() {
             glide.advance();
         }
+        self.motor.advance(&self.glides.discs(), self.step_s);
         self.mix = [self.mix[1], self.glides.mix()];
         self.lift_mallets();
-        let drain = self.glides.drain(&self.own);
+        let drain = self.glides.drain(&self.own, self.motor.taken());
         for key in keys(self.awake) {
             let slot = usize::from(key);
             let Some(body) = self.bodies[slot].as_mut() else {
@@ -400,14 +313,13 @@ impl Engine {
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            body.ring(
-                self.kernel,
-                &mut self.contacts,
-                key,
-                run,
-                self.step_s,
-                &mut one,
-            );
+            let open = self.motor.open(phase);
+            let span = Span {
+                samples: run,
+                step_s: self.step_s,
+                open,
+            };
+            body.ring(self.kernel, &mut self.contacts, key, span, &mut one);
             for (all, one) in all.iter_mut().zip(&one) {
                 for (sum, sample) in all[..run].iter_mut().zip(one) {
                     *sum += sample;

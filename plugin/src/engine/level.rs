@@ -1,7 +1,7 @@
 //! How loud: from Pa to full scale, key by key, once for an instrument.
 
 use super::GRID;
-use super::body::heard;
+use super::body::{Span, heard};
 use super::contact::Contact;
 use super::mallet::{Mallet, contact_modulus_pa};
 use super::oscillators::Kernel;
@@ -150,7 +150,12 @@ fn peak_pa(bank: &Bank, body: &Body) -> f64 {
     for _ in 0..LOOK_SAMPLES / GRID {
         let mut buses = [[0.0; GRID]; 3];
         contacts[0].prepare(GRID, step_s);
-        ringing.ring(kernel, &mut contacts, body.key, GRID, step_s, &mut buses);
+        let span = Span {
+            samples: GRID,
+            step_s,
+            open: [1.0, 0.0],
+        };
+        ringing.ring(kernel, &mut contacts, body.key, span, &mut buses);
         let [left, right, _] = buses;
         peak = left
             .iter()

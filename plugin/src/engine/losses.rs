@@ -52,6 +52,7 @@ impl Losses {
             loss_factor: both(own.loss_factor, added.loss_factor),
             radiation: self.radiation,
             supports: self.supports,
+            resonator: 1.0,
             felt: 0.0,
             hand_per_s: 0.0,
         }
@@ -66,6 +67,8 @@ pub(crate) struct Drain {
     pub(crate) loss_factor: f64,
     pub(crate) radiation: f64,
     pub(crate) supports: f64,
+    /// Share of what the resonators take.
+    pub(crate) resonator: f64,
     /// Share of the felt's weight on the body, 0…1.
     pub(crate) felt: f64,
     /// Decay rate that a hand gives all modes alike, in 1/s.

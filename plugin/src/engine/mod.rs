@@ -5,18 +5,22 @@ mod body;
 mod contact;
 mod damper;
 mod glide;
+mod glides;
 mod instrument;
 mod level;
 mod losses;
 mod mallet;
+mod motor;
 mod oscillators;
 mod pulse;
 mod rates;
+mod resonator;
 mod settings;
 mod touch;
 
 pub use instrument::{Engine, OUTPUT_BOUND};
 pub use losses::Losses;
+pub use motor::Discs;
 pub use settings::{Settings, range};
 
 /// Samples between two looks at the parameters, at what still sounds and at what has ended.

@@ -32,8 +32,8 @@ pub(crate) struct Rates {
     /// exp(iωT/2), or 0 for a mode that is never heard.
     half_re: Vec<f64>,
     half_im: Vec<f64>,
-    /// Decay rates in 1/s that radiation, supports and felt give when they count once.
-    air: [Vec<f64>; 3],
+    /// Decay rates in 1/s that radiation, supports, resonator and felt give when they count once.
+    air: [Vec<f64>; 4],
     step_s: f64,
 }
 
@@ -52,9 +52,9 @@ pub(crate) fn uptake(omega: &[f64], step_s: f64) -> Uptake {
 }
 
 impl Rates {
-    /// For modes at undamped frequencies `hz`, sampled every `step_s`, to which radiation, supports
-    /// and felt give the decay rates `air` in 1/s.
-    pub(crate) fn new(hz: &[f64], air: impl Fn(usize) -> [f64; 3], step_s: f64) -> Self {
+    /// For modes at undamped frequencies `hz`, sampled every `step_s`, to which radiation, supports,
+    /// resonator and felt give the decay rates `air` in 1/s.
+    pub(crate) fn new(hz: &[f64], air: impl Fn(usize) -> [f64; 4], step_s: f64) -> Self {
         let padded = hz.len().next_multiple_of(LANES);
         // Padding has a frequency too, lest the loop below divide by zero.
         let mut rates = Self {
@@ -94,13 +94,14 @@ impl Rates {
         let (half_re, half_im) = (&mut oscillators.half_re[..n], &mut oscillators.half_im[..n]);
         let (step_re, step_im) = (&mut oscillators.step_re[..n], &mut oscillators.step_im[..n]);
         let inverse = &mut inverse_omega_s[..n];
-        let [radiation, supports, felt] = [0, 1, 2].map(|k| &self.air[k][..n]);
+        let [radiation, supports, resonator, felt] = [0, 1, 2, 3].map(|k| &self.air[k][..n]);
         for i in 0..n {
             let lambda = omega[i] * omega[i];
             let stiffness = drain.alpha1_s * lambda + drain.loss_factor * omega[i];
             let material = 0.5 * (stiffness + drain.alpha2_per_s);
             let outside = drain.radiation * radiation[i]
                 + drain.supports * supports[i]
+                + drain.resonator * resonator[i]
                 + drain.felt * felt[i];
             let decay = material + outside + drain.hand_per_s;
             let square = (omega[i] - decay) * (omega[i] + decay);
@@ -160,7 +161,7 @@ mod tests {
         let hz: Vec<f64> = (0..64).map(|i| 20.0 * 1.115f64.powi(i)).collect();
         let mut heard = 0;
         for rate_hz in [44_100.0, 48_000.0, 192_000.0] {
-            let air = |i: usize| [0.01 * i as f64, 0.3, 20.0];
+            let air = |i: usize| [0.01 * i as f64, 0.3, 0.8, 20.0];
             let rates = Rates::new(&hz, air, 1.0 / rate_hz);
             let mut bank = Oscillators::new(hz.len());
             let mut inverse = vec![0.0; bank.len()];
@@ -172,6 +173,7 @@ mod tests {
                         loss_factor: 1e-3,
                         radiation: 2.0,
                         supports: 0.5,
+                        resonator: 0.25,
                         felt: 0.25,
                         hand_per_s: 1.5,
                     };
@@ -183,6 +185,7 @@ mod tests {
                             + 0.5e-3 * omega
                             + 0.02 * i as f64
                             + 0.15
+                            + 0.2
                             + 5.0
                             + 1.5;
                         match Motion::of(hz, decay) {
@@ -209,7 +212,7 @@ mod tests {
 
     #[test]
     fn modes_above_half_the_rate_are_silent() {
-        let rates = Rates::new(&[400.0, 499.0, 700.0], |_| [0.0; 3], 1e-3);
+        let rates = Rates::new(&[400.0, 499.0, 700.0], |_| [0.0; 4], 1e-3);
         let mut bank = Oscillators::new(3);
         let mut inverse = vec![0.0; bank.len()];
         rates.apply(&Drain::default(), &mut bank, &mut inverse);

@@ -1,6 +1,6 @@
 //! What the player can change, as physical values.
 
-use super::Losses;
+use super::{Discs, Losses};
 use modes::{Damping, Rayleigh};
 
 /// Allowed ranges of [`Settings`]; the plug-in's parameters have the same.
@@ -13,7 +13,7 @@ pub mod range {
     pub const VELOCITY_TO_POSITION: RangeInclusive<f64> = -1.0..=1.0;
     /// Share of half the line that chance moves the strike, either way.
     pub const POSITION_SCATTER: RangeInclusive<f64> = 0.0..=1.0;
-    /// Effective contact modulus, in Pa: 1 MPa is soft yarn, 100 GPa brass.
+    /// Modulus of the mallet's head, in Pa: 1 MPa is soft yarn, 100 GPa brass.
     pub const HARDNESS_PA: RangeInclusive<f64> = 1e6..=1e11;
     /// Impact speed between the softest and the hardest touch, in dB.
     pub const VELOCITY_RANGE_DB: RangeInclusive<f64> = 0.0..=60.0;
@@ -25,6 +25,12 @@ pub mod range {
     pub const LOSS_FACTOR: RangeInclusive<f64> = 0.0..=0.1;
     /// Factors on the material's own damping, on radiation and on the supports.
     pub const CAUSE: RangeInclusive<f64> = 0.0..=10.0;
+    /// How often a second the resonators' discs shut, in Hz.
+    pub const MOTOR_HZ: RangeInclusive<f64> = 0.0..=12.0;
+    /// Share of the resonators' mouths that the discs cover.
+    pub const MOTOR_DEPTH: RangeInclusive<f64> = 0.0..=1.0;
+    /// Angle of the discs ahead of the motor, in degrees.
+    pub const MOTOR_DEG: RangeInclusive<f64> = 0.0..=180.0;
     /// Stereo width: 0 is mono, 1 what two ears hear.
     pub const WIDTH: RangeInclusive<f64> = 0.0..=1.0;
     /// Output gain, in dB.
@@ -40,7 +46,7 @@ pub struct Settings {
     pub velocity_to_position: f64,
     /// How far chance moves the strike either way, as a share of half the line.
     pub position_scatter: f64,
-    /// Effective contact modulus of mallet and body, in Pa.
+    /// Modulus E/(1 − ν²) of the mallet's head, in Pa.
     pub hardness_pa: f64,
     /// Impact speed between the softest and the hardest touch, in dB.
     pub velocity_range_db: f64,
@@ -48,6 +54,8 @@ pub struct Settings {
     pub losses: Losses,
     /// Whether a released key damps its body.
     pub note_off_damps: bool,
+    /// The discs in the resonators' mouths.
+    pub motor: Discs,
     /// Stereo width, 0…1.
     pub width: f64,
     /// Output gain, in dB.
@@ -73,6 +81,7 @@ impl Settings {
         velocity_range_db: 40.0,
         losses: Losses::AS_BUILT,
         note_off_damps: false,
+        motor: Discs::OPEN,
         width: 1.0,
         gain_db: 0.0,
     };
@@ -123,6 +132,15 @@ impl Settings {
                 supports: within(self.losses.supports, range::CAUSE, 1.0),
             },
             note_off_damps: self.note_off_damps,
+            motor: Discs {
+                speed_hz: within(self.motor.speed_hz, range::MOTOR_HZ, normal.motor.speed_hz),
+                depth: within(self.motor.depth, range::MOTOR_DEPTH, normal.motor.depth),
+                phase_deg: within(
+                    self.motor.phase_deg,
+                    range::MOTOR_DEG,
+                    normal.motor.phase_deg,
+                ),
+            },
             width: within(self.width, range::WIDTH, normal.width),
             gain_db: within(self.gain_db, range::GAIN_DB, normal.gain_db),
         }

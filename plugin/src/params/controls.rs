@@ -1,11 +1,11 @@
 //! The parameters as the host holds them.
 
 use super::spec::{
-    ALPHA1, ALPHA2, INSTRUMENT, LOSS_FACTOR, MALLET_HARDNESS, NOTE_OFF, OUTPUT_GAIN, OWN_DAMPING,
-    POSITION_SCATTER, RADIATION, STRIKE_POSITION, SUPPORTS, Spec, VELOCITY_RANGE,
-    VELOCITY_TO_POSITION, WIDTH,
+    ALPHA1, ALPHA2, INSTRUMENT, LOSS_FACTOR, MALLET_HARDNESS, MOTOR_DEPTH, MOTOR_PHASE,
+    MOTOR_SPEED, NOTE_OFF, OUTPUT_GAIN, OWN_DAMPING, POSITION_SCATTER, RADIATION, STRIKE_POSITION,
+    SUPPORTS, Spec, VELOCITY_RANGE, VELOCITY_TO_POSITION, WIDTH,
 };
-use crate::engine::{Losses, Settings};
+use crate::engine::{Discs, Losses, Settings};
 use crate::factory;
 use modes::{Damping, Rayleigh};
 use nice_plug::prelude::{BoolParam, FloatParam, FloatRange, IntParam, IntRange, Params};
@@ -53,6 +53,15 @@ pub struct Controls {
     /// See [`NOTE_OFF`].
     #[id = "noff"]
     pub note_off: BoolParam,
+    /// See [`MOTOR_SPEED`].
+    #[id = "mspeed"]
+    pub motor_speed: FloatParam,
+    /// See [`MOTOR_DEPTH`].
+    #[id = "mdepth"]
+    pub motor_depth: FloatParam,
+    /// See [`MOTOR_PHASE`].
+    #[id = "mphase"]
+    pub motor_phase: FloatParam,
     /// See [`WIDTH`].
     #[id = "width"]
     pub width: FloatParam,
@@ -105,6 +114,9 @@ impl Default for Controls {
                 .with_string_to_value(Arc::new(|text| {
                     NOTE_OFF.parse(text).map(|value| value >= 0.5)
                 })),
+            motor_speed: float(&MOTOR_SPEED),
+            motor_depth: float(&MOTOR_DEPTH),
+            motor_phase: float(&MOTOR_PHASE),
             width: float(&WIDTH),
             output_gain: float(&OUTPUT_GAIN),
         }
@@ -142,6 +154,11 @@ impl Controls {
                 supports: plain(&self.supports),
             },
             note_off_damps: self.note_off.value(),
+            motor: Discs {
+                speed_hz: plain(&self.motor_speed),
+                depth: fraction(&self.motor_depth),
+                phase_deg: plain(&self.motor_phase),
+            },
             width: fraction(&self.width),
             gain_db: plain(&self.output_gain),
         }
@@ -174,6 +191,7 @@ mod tests {
         assert_eq!(ours.sane(), ours);
         assert!((ours.strike_position - engine.strike_position).abs() < 1e-7);
         assert_eq!(ours.losses, engine.losses);
+        assert_eq!(ours.motor, engine.motor);
         assert_eq!(ours.hardness_pa, engine.hardness_pa);
         assert_eq!(ours.note_off_damps, engine.note_off_damps);
         assert_eq!(ours.gain_db, engine.gain_db);

@@ -215,6 +215,48 @@ pub const NOTE_OFF: Spec = Spec {
     },
 };
 
+/// Speed of the resonators' discs.
+pub const MOTOR_SPEED: Spec = Spec {
+    id: "mspeed",
+    name: "Motor speed",
+    unit: "Hz",
+    min: *range::MOTOR_HZ.start() as f32,
+    max: *range::MOTOR_HZ.end() as f32,
+    default: NORMAL.motor.speed_hz as f32,
+    tooltip: "How often a second the motor's discs shut the tubes under the bars: the vibraphone's \
+              vibrato. 0 Hz stops them. Bodies without tubes do not change.",
+    skew: 1.0,
+    text: Text::Hertz,
+};
+
+/// Depth of the resonators' discs.
+pub const MOTOR_DEPTH: Spec = Spec {
+    id: "mdepth",
+    name: "Motor depth",
+    unit: "%",
+    min: percent(*range::MOTOR_DEPTH.start()),
+    max: percent(*range::MOTOR_DEPTH.end()),
+    default: percent(NORMAL.motor.depth),
+    tooltip: "How much of the tubes' mouths the discs cover when they lie across them: 100 % shuts them, \
+              so that the fundamental comes and goes; 0 % leaves them open.",
+    skew: 1.0,
+    text: Text::Percent,
+};
+
+/// Phase of the resonators' discs.
+pub const MOTOR_PHASE: Spec = Spec {
+    id: "mphase",
+    name: "Motor phase",
+    unit: "deg",
+    min: *range::MOTOR_DEG.start() as f32,
+    max: *range::MOTOR_DEG.end() as f32,
+    default: NORMAL.motor.phase_deg as f32,
+    tooltip: "Angle of the discs ahead of the motor. With the motor stopped, 90 deg leaves the tubes open \
+              (louder and shorter fundamentals) and 0 deg shuts them (softer and longer).",
+    skew: 1.0,
+    text: Text::Degrees,
+};
+
 /// Stereo width.
 pub const WIDTH: Spec = Spec {
     id: "width",
@@ -243,7 +285,7 @@ pub const OUTPUT_GAIN: Spec = Spec {
 };
 
 /// Every parameter, in the host's order.
-pub const SPECS: [Spec; 15] = [
+pub const SPECS: [Spec; 18] = [
     INSTRUMENT,
     STRIKE_POSITION,
     VELOCITY_TO_POSITION,
@@ -257,6 +299,9 @@ pub const SPECS: [Spec; 15] = [
     RADIATION,
     SUPPORTS,
     NOTE_OFF,
+    MOTOR_SPEED,
+    MOTOR_DEPTH,
+    MOTOR_PHASE,
     WIDTH,
     OUTPUT_GAIN,
 ];

@@ -17,6 +17,10 @@ pub(crate) enum Text {
     Factor,
     /// `2.00e-4 tan`
     Tangent,
+    /// `5.50 Hz`
+    Hertz,
+    /// `90.00 deg`
+    Degrees,
     /// The title of a factory instrument.
     Instrument,
     /// One of two words.
@@ -57,6 +61,8 @@ impl Text {
             Self::Factor => format!("{} x", three_digits(value)),
             Self::Tangent if value == 0.0 => "0 tan".into(),
             Self::Tangent => format!("{value:.2e} tan"),
+            Self::Hertz => format!("{rounded:.2} Hz"),
+            Self::Degrees => format!("{rounded:.2} deg"),
             Self::Instrument => crate::factory::title(value).into(),
             Self::Switch { off, on } => if value < 0.5 { off } else { on }.into(),
         }
@@ -79,6 +85,8 @@ impl Text {
             Self::PerSecond => &[("/s", 1.0), ("1/s", 1.0)],
             Self::Factor => &[("x", 1.0)],
             Self::Tangent => &[("tan", 1.0)],
+            Self::Hertz => &[("hz", 1.0)],
+            Self::Degrees => &[("deg", 1.0), ("\u{b0}", 1.0)],
             Self::Instrument | Self::Switch { .. } => &[],
         }
     }

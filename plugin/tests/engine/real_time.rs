@@ -1,7 +1,7 @@
 //! The audio thread: no allocation, no cost of silence, nothing but finite sound.
 
 use crate::support::{Random, chimes};
-use idiophone::engine::{Engine, Losses, OUTPUT_BOUND, Settings};
+use idiophone::engine::{Discs, Engine, Losses, OUTPUT_BOUND, Settings};
 use modes::{Damping, Rayleigh};
 use nice_assert_no_alloc::assert_no_alloc;
 
@@ -106,6 +106,11 @@ fn anything_at_all_leaves_the_output_finite_and_bounded() {
                         ..Losses::AS_BUILT
                     },
                     note_off_damps: random.below(2) == 0,
+                    motor: Discs {
+                        speed_hz: wild(&mut random, 12.0),
+                        depth: wild(&mut random, 1.0),
+                        phase_deg: wild(&mut random, 180.0),
+                    },
                     width: wild(&mut random, 1.0),
                     gain_db: wild(&mut random, 12.0),
                 }),

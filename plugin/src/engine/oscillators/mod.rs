@@ -82,38 +82,30 @@ impl Kernel {
         self.0.dispatch(task);
     }
 
-    /// Writes what is heard of the next `samples` (at most [`GRID`]) to `out` and moves on.
-    pub(crate) fn ring(self, oscillators: &mut Oscillators, samples: usize, out: &mut Buses) {
-        debug_assert!(samples <= GRID);
-        if self.is_scalar() {
-            scalar::ring(oscillators, samples, out);
-        } else {
-            self.0.dispatch(vector::Ring {
-                oscillators,
-                samples,
-                out,
-            });
-        }
-    }
-
-    /// The same under the force of contacts, whose moments for these samples are ready.
-    pub(crate) fn ring_pushed(
+    /// Writes what is heard of the next `samples` (at most [`GRID`]) to `out` and moves on, under the
+    /// force of contacts, whose moments for these samples are ready, if there are any.
+    pub(crate) fn ring(
         self,
         oscillators: &mut Oscillators,
-        push: Push<'_>,
+        push: Option<Push<'_>>,
         samples: usize,
         out: &mut Buses,
     ) {
         debug_assert!(samples <= GRID);
-        if self.is_scalar() {
-            scalar::ring_pushed(oscillators, push, samples, out);
-        } else {
-            self.0.dispatch(vector::RingPushed {
+        match (push, self.is_scalar()) {
+            (None, true) => scalar::ring(oscillators, samples, out),
+            (None, false) => self.0.dispatch(vector::Ring {
+                oscillators,
+                samples,
+                out,
+            }),
+            (Some(push), true) => scalar::ring_pushed(oscillators, push, samples, out),
+            (Some(push), false) => self.0.dispatch(vector::RingPushed {
                 oscillators,
                 push,
                 samples,
                 out,
-            });
+            }),
         }
     }
 }
@@ -214,7 +206,7 @@ mod tests {
             let kernel = Kernel::detect();
             for grid in 0..1500 {
                 let (mut a, mut b, mut closed) = (SILENT, SILENT, SILENT);
-                kernel.ring(&mut fast, GRID, &mut a);
+                kernel.ring(&mut fast, None, GRID, &mut a);
                 scalar::ring(&mut plain, GRID, &mut b);
                 let [left, right, plain_bus] = &mut closed;
                 let buses = left.iter_mut().zip(right).zip(plain_bus);
@@ -268,7 +260,7 @@ mod tests {
                 uptake: &uptake,
             };
             let (mut a, mut b) = (SILENT, SILENT);
-            kernel.ring_pushed(&mut fast, push, GRID, &mut a);
+            kernel.ring(&mut fast, Some(push), GRID, &mut a);
             scalar::ring_pushed(&mut plain, push, GRID, &mut b);
             assert!(worst(&a, &b) < 1e-12);
         }
@@ -280,11 +272,11 @@ mod tests {
         let mut cut = whole.clone();
         let kernel = Kernel::detect();
         let (mut a, mut b) = (SILENT, SILENT);
-        kernel.ring(&mut whole, GRID, &mut a);
+        kernel.ring(&mut whole, None, GRID, &mut a);
         let mut done = 0;
         for samples in [5, 1, GRID - 6] {
             let mut part = SILENT;
-            kernel.ring(&mut cut, samples, &mut part);
+            kernel.ring(&mut cut, None, samples, &mut part);
             for (b, part) in b.iter_mut().zip(&part) {
                 b[done..done + samples].copy_from_slice(&part[..samples]);
             }
@@ -326,7 +318,7 @@ mod tests {
                 key: 0,
                 uptake: &uptake,
             };
-            Kernel::detect().ring_pushed(&mut bank, push, GRID, &mut [[0.0; GRID]; 3]);
+            Kernel::detect().ring(&mut bank, Some(push), GRID, &mut [[0.0; GRID]; 3]);
             let end = GRID as f64 * step_s;
             let points = 20_000;
             let (mut re, mut im) = (0.0, 0.0);

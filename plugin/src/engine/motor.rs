@@ -1,0 +1,117 @@
+//! The discs that open and shut the resonators below the bodies.
+
+use super::GRID;
+use std::f64::consts::{PI, TAU};
+
+/// How the discs turn in the mouths of the resonators, all on one shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Discs {
+    /// How often a second they shut, twice a turn.
+    pub speed_hz: f64,
+    /// Share of the mouth that they cover when they lie across it, 0…1.
+    pub depth: f64,
+    /// Angle ahead of the motor, in degrees: at rest, 0 lies across the mouths and 90 along them.
+    pub phase_deg: f64,
+}
+
+impl Discs {
+    /// At rest and out of the way.
+    pub const OPEN: Self = Self {
+        speed_hz: 0.0,
+        depth: 1.0,
+        phase_deg: 90.0,
+    };
+
+    /// Open share of the mouths when the motor stands at `turn` of a turn: 1 less what a round disc
+    /// in a round mouth covers, seen from above.
+    fn open(&self, turn: f64) -> f64 {
+        let angle = TAU * turn + self.phase_deg * PI / 180.0;
+        1.0 - self.depth * angle.cos().abs()
+    }
+}
+
+/// The motor, and how far the discs leave the resonators open.
+///
+/// What sounds through a resonator goes with the open share of its mouth, the power that it takes
+/// with the square.
+pub(super) struct Motor {
+    /// Angle of the shaft, in turns.
+    turn: f64,
+    /// Open share at the last grid point and at the next.
+    open: [f64; 2],
+}
+
+impl Motor {
+    /// At rest, resonators open.
+    pub(super) fn new() -> Self {
+        Self {
+            turn: 0.0,
+            open: [1.0; 2],
+        }
+    }
+
+    /// On to the next grid point.
+    pub(super) fn advance(&mut self, discs: &Discs, step_s: f64) {
+        self.turn = (self.turn + 0.5 * discs.speed_hz * step_s * GRID as f64).fract();
+        self.open = [self.open[1], discs.open(self.turn)];
+    }
+
+    /// Share of a resonator's damping that counts now.
+    pub(super) fn taken(&self) -> f64 {
+        self.open[1] * self.open[1]
+    }
+
+    /// Open share at the sample `phase` after the last grid point, and what each sample adds.
+    pub(super) fn open(&self, phase: usize) -> [f64; 2] {
+        let [from, to] = self.open;
+        let step = (to - from) / GRID as f64;
+        [from + step * phase as f64, step]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn at_rest_the_resonators_are_open() {
+        let mut motor = Motor::new();
+        motor.advance(&Discs::OPEN, 1e-5);
+        assert!((motor.open[1] - 1.0).abs() < 1e-15);
+        assert!((motor.taken() - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn discs_shut_twice_a_turn() {
+        let step_s = 1.0 / 48_000.0;
+        let discs = Discs {
+            speed_hz: 5.0,
+            depth: 0.75,
+            phase_deg: 90.0,
+        };
+        let mut motor = Motor::new();
+        let mut open = Vec::new();
+        for _ in 0..3000 {
+            motor.advance(&discs, step_s);
+            open.push(motor.open[1]);
+        }
+        // Two seconds, ten times shut.
+        let shut = open.windows(3).filter(|w| w[1] < w[0] && w[1] <= w[2]);
+        assert_eq!(shut.count(), 10);
+        let least = open.iter().fold(1.0, |least: f64, x| least.min(*x));
+        assert!((least - 0.25).abs() < 5e-3, "{least}");
+        let [from, step] = motor.open(0);
+        assert!((from + GRID as f64 * step - motor.open[1]).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_phase_alone_shuts_a_motor_at_rest() {
+        let mut motor = Motor::new();
+        let shut = Discs {
+            phase_deg: 0.0,
+            ..Discs::OPEN
+        };
+        motor.advance(&shut, 1e-5);
+        assert_eq!(motor.open[1], 0.0);
+    }
+}
