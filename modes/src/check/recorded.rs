@@ -9,6 +9,7 @@ pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
     let mut rows = bell()?;
     rows.extend(bowl()?);
     rows.extend(bars());
+    rows.extend(bars_t60()?);
     Ok(rows)
 }
 
@@ -149,4 +150,34 @@ fn bars() -> Vec<Row> {
         }
     }
     rows
+}
+
+/// Recorded second partials: name, key and T60 in s.
+const BARS_T60_S: [(&str, u8, f64); 2] = [("A3", 57, 1.63), ("D♯4", 63, 0.861)];
+
+fn bars_t60() -> Result<Vec<Row>, CheckError> {
+    let mut rows = Vec::new();
+    for (name, key, recorded_s) in BARS_T60_S {
+        let bank = one_key("vibraphone", key, 440.0)?;
+        let bending = |index: u16| {
+            let same = |m: &&Mode| m.label.family == Family::Bending && m.label.index == index;
+            bank.bodies[0].modes.iter().find(same)
+        };
+        let t60_of = |index, less: fn(&Mode) -> f32| {
+            bending(index).map_or(f64::NAN, |mode| {
+                t60_s(mode.decay_per_s(&bank.damping) - f64::from(less(mode)))
+            })
+        };
+        let source = "recorded bars (Fluid)";
+        let title = format!("vibraphone bar {name}, second partial");
+        rows.push(t60(&title, recorded_s, t60_of(2, |_| 0.0), source));
+        if name == "A3" {
+            let source = "Fletcher & Rossing 1998, as quoted";
+            let over = "vibraphone bar A3 over its tube";
+            rows.push(t60(over, 24.0, t60_of(1, |_| 0.0), source));
+            let alone = "vibraphone bar A3 without its tube";
+            rows.push(t60(alone, 40.0, t60_of(1, |mode| mode.pipe_per_s), source));
+        }
+    }
+    Ok(rows)
 }

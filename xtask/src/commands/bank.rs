@@ -46,6 +46,12 @@ struct ModeJson {
     decay_per_s: f64,
     t60_s: f64,
     label: String,
+    /// What of the decay each cause gives, in 1/s, and what the felt would.
+    material_per_s: f64,
+    radiation_per_s: f32,
+    support_per_s: f32,
+    pipe_per_s: f32,
+    felt_per_s: f32,
     coupling: f64,
     residual: f64,
 }
@@ -113,6 +119,11 @@ impl ModeJson {
             decay_per_s,
             t60_s: t60_s(decay_per_s),
             label: mode.label.to_string(),
+            material_per_s: damping.decay_per_s(mode.hz),
+            radiation_per_s: mode.radiation_per_s,
+            support_per_s: mode.support_per_s,
+            pipe_per_s: mode.pipe_per_s,
+            felt_per_s: mode.felt_per_s,
             coupling: mode.coupling,
             residual: mode.residual,
         }
