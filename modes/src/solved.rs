@@ -33,6 +33,9 @@ pub struct SolvedMode {
     pub shape: Vec<[f32; 3]>,
     /// φ·n on each patch of the surface, in kg^(−1/2).
     pub motion: Vec<f32>,
+    /// ∫|φ·n| dS over the surface, in m² kg^(−1/2): "summing the amount of normal displacement …
+    /// over the surface" (O'Brien 2002 §3.4).
+    pub rectified_area: f64,
     /// Σ|φ|² over the places where the body is held, in 1/kg.
     pub held: f64,
     /// Σ|φ|² over the places where the damper's felt touches, in 1/kg.
@@ -73,6 +76,7 @@ impl SolvedBody {
                         .map(|u| [0, 1, 2].map(|a| narrow(&u[a])))
                         .collect(),
                     motion: mode.motion.iter().map(narrow).collect(),
+                    rectified_area: factor * factor * shape * mode.rectified_area,
                     held: shape * shape * mode.held,
                     felt: shape * shape * mode.felt,
                     radiation_per_s: mode.radiation_per_s / factor,

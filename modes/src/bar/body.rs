@@ -141,6 +141,7 @@ pub fn bar_modes(
     let samples = samples.max(FEWEST_SAMPLES);
     let cord_m = node_m(&quarter, bar, &found);
     let faces = quarter.faces();
+    let surface = surface(&faces);
     let modes = (0..found.len()).map(|i| {
         let Found {
             class,
@@ -153,6 +154,7 @@ pub fn bar_modes(
             let u = quarter.at(&mode.vector, x_m, y_m, height);
             u.iter().map(|u| u * u).sum::<f64>()
         };
+        let motion = motion(&quarter, &faces, *class, &mode.vector);
         SolvedMode {
             hz: mode.hz,
             residual: mode.residual,
@@ -163,7 +165,8 @@ pub fn bar_modes(
                 member: Member::Single,
             },
             shape: along_line(&quarter, bar, &mode.vector, samples),
-            motion: motion(&quarter, &faces, *class, &mode.vector),
+            rectified_area: surface.rectified_area(&motion),
+            motion,
             held: 4.0 * energy_at(cord_m, CORD_ASIDE * bar.width_m, 0.5),
             felt: 2.0 * energy_at(FELT[0] * bar.length_m, FELT[1] * bar.width_m, 0.0),
             radiation_per_s: radiation_per_s(
@@ -180,7 +183,7 @@ pub fn bar_modes(
         length_m: bar.length_m,
         mass_kg: quarter.mass_kg(),
         line: strike_line(bar, samples),
-        surface: surface(&faces),
+        surface,
         orthonormality,
     })
 }

@@ -86,7 +86,7 @@ fn chime() -> Result<Vec<Row>, CheckError> {
         .take(MODES)
         .map(|mode| {
             let [left, _] = transfers.raw(mode.hz, &mode.motion);
-            let omni = coupling(body.surface.rectified_area(&mode.motion), mode.hz);
+            let omni = coupling(mode.rectified_area, mode.hz);
             let share = left[0].hypot(left[1]) * distance_m / (AIR_KG_M3 * SOUND_M_S * omni);
             Row::within(
                 format!(

@@ -42,7 +42,7 @@ pub(super) fn sounding(
             });
             Mode {
                 hz: mode.hz,
-                coupling: coupling(solved.surface.rectified_area(&mode.motion), mode.hz),
+                coupling: coupling(mode.rectified_area, mode.hz),
                 ears: transfers.ears(mode.hz, &mode.motion, mode.radiation_per_s),
                 pipe_ears,
                 radiation_per_s: mode.radiation_per_s as f32,

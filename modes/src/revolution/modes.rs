@@ -2,7 +2,7 @@
 
 use super::Wall;
 use super::line::{half_waves, sampled, strike_line};
-use super::patches::{around, surface};
+use super::patches::{around, rectified_area, surface};
 use super::solved::{Found, SolvedWall};
 use crate::solve::Band;
 use crate::{Family, Material, Member, ModeLabel, SolveError, SolvedBody, SolvedMode};
@@ -151,6 +151,7 @@ fn members(
                 })
                 .collect(),
             motion: around(&found.sides, order, turn),
+            rectified_area: rectified_area(wall, &found.sides, found.order),
             held: found.held,
             felt: found.felt,
             radiation_per_s: found.radiation_per_s,

@@ -2,7 +2,7 @@
 
 use super::Wall;
 use crate::radiation::Surface;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_2_PI, TAU};
 
 /// Patches of the surface around the axis.
 const PATCHES_AROUND: usize = 24;
@@ -24,6 +24,21 @@ pub(super) fn around(sides: &[f64], order: f64, turn: f64) -> Vec<f32> {
         .iter()
         .flat_map(|side| waves.iter().map(move |wave| (side * wave) as f32))
         .collect()
+}
+
+/// ∫|φ·n| dS of motions cos mθ times these on the sides; the mean of |cos mθ| is 2/π.
+pub(super) fn rectified_area(wall: &Wall, sides: &[f64], order: usize) -> f64 {
+    let share = if order == 0 { 1.0 } else { FRAC_2_PI };
+    let rings = wall.heard.iter().zip(sides);
+    rings
+        .map(|(side, motion)| share * TAU * ring_m2(wall, side) * motion.abs())
+        .sum()
+}
+
+/// Area of the ring that a side sweeps, to each radian, in m².
+fn ring_m2(wall: &Wall, side: &[u32; 3]) -> f64 {
+    let [p, q, r] = side.map(|node| wall.meridian.nodes_m[node as usize]);
+    (r[0] - p[0]).hypot(r[1] - p[1]) * q[0]
 }
 
 fn patch_angle(i: usize) -> f64 {
@@ -48,9 +63,9 @@ pub(super) fn surface(wall: &Wall) -> Surface {
         ..Surface::default()
     };
     for side in &wall.heard {
-        let [p, q, r] = side.map(|node| wall.meridian.nodes_m[node as usize]);
+        let q = wall.meridian.nodes_m[side[1] as usize];
         let normal = side_normal(wall, side);
-        let area = (r[0] - p[0]).hypot(r[1] - p[1]) * q[0] * TAU / PATCHES_AROUND as f64;
+        let area = ring_m2(wall, side) * TAU / PATCHES_AROUND as f64;
         for i in 0..PATCHES_AROUND {
             surface
                 .points_m
