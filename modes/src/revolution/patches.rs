@@ -4,8 +4,8 @@ use super::Wall;
 use crate::radiation::Surface;
 use std::f64::consts::{FRAC_2_PI, TAU};
 
-/// Patches of the surface around the axis.
-const PATCHES_AROUND: usize = 24;
+/// Patches of the surface around the axis: three to each wave of the most that bowls have.
+const PATCHES_AROUND: usize = 64;
 
 /// Outward unit normal (r, z) of a side: the body is on its left.
 pub(super) fn side_normal(wall: &Wall, side: &[u32; 3]) -> [f64; 2] {
