@@ -8,10 +8,12 @@ mod ratios;
 #[cfg(test)]
 mod tests;
 mod tune;
+mod tuning;
 
 pub use body::{BarPartials, bar_modes, bar_partials};
 pub use ratios::{vibraphone_ratios, vibraphone_stock};
-pub use tune::{BarStock, BarTuneError, BarTuning, tune_bar};
+pub use tune::{TunedBar, retune_bar, tune_bar};
+pub use tuning::{BarStock, BarTuneError, BarTuning};
 
 use crate::mesh::BarGrid;
 use crate::shape::Bar;

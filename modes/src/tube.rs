@@ -2,7 +2,7 @@
 
 mod tune;
 
-pub use tune::{TubeTuning, TuneError, predicted_length_m, tune_tube};
+pub use tune::{TubeTuning, TuneError, predicted_length_m, retune_tube, tune_tube};
 
 use crate::mesh::TubeGrid;
 use crate::shape::Tube;

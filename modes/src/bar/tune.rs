@@ -4,74 +4,10 @@ use super::BarFineness;
 use super::beam::beam_hz;
 use super::body::bending_hz;
 use super::quarter::Quarter;
+use super::tuning::{BarStock, BarTuneError, BarTuning};
 use crate::mesh::BarGrid;
 use crate::shape::{Bar, Undercut};
 use crate::{Material, SolveError};
-
-/// What a bar is cut from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BarStock {
-    /// Length, in m.
-    pub length_m: f64,
-    /// Width, in m.
-    pub width_m: f64,
-    /// Thickness, in m.
-    pub thickness_m: f64,
-}
-
-/// What a bar is to be tuned to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BarTuning {
-    /// Pitch, in Hz: that of the first bending mode.
-    pub pitch_hz: f64,
-    /// The second and the third bending mode as multiples of the first.
-    pub ratios: [f64; 2],
-    /// How far the pitch may be off, in cents; the other two modes may be ten times as far.
-    pub tolerance_cents: f64,
-}
-
-/// Why a bar cannot be tuned.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum BarTuneError {
-    /// No arch, and no length near the stock's, has the partials.
-    #[error(
-        "ratios 1 : {second:.3} : {third:.3} at {pitch_hz:.2} Hz are out of reach of stock \
-         {length_m:.3} m long and {thickness_m:.4} m thick; the nearest within reach are \
-         1 : {nearest_second:.3} : {nearest_third:.3} at {nearest_hz:.2} Hz"
-    )]
-    OutOfReach {
-        /// The pitch asked for, in Hz.
-        pitch_hz: f64,
-        /// The second mode asked for, as a multiple of the first.
-        second: f64,
-        /// The third mode asked for.
-        third: f64,
-        /// Length of the stock, in m.
-        length_m: f64,
-        /// Thickness of the stock, in m.
-        thickness_m: f64,
-        /// Pitch of the nearest bar that a beam could be, in Hz.
-        nearest_hz: f64,
-        /// Its second mode.
-        nearest_second: f64,
-        /// Its third mode.
-        nearest_third: f64,
-    },
-    /// The search stopped short of the tolerance.
-    #[error(
-        "the bar's partials stay {:.3}, {:.3} and {:.3} cents off those of {pitch_hz:.2} Hz",
-        cents[0], cents[1], cents[2]
-    )]
-    NotTuned {
-        /// The pitch asked for, in Hz.
-        pitch_hz: f64,
-        /// How far the three modes are off.
-        cents: [f64; 3],
-    },
-    /// The eigenproblem was not solved.
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-}
 
 /// What the search turns to make the partials right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,7 +34,7 @@ const UPPER: f64 = 10.0;
 /// The search goes on until the pitch and the upper modes are off by these fractions of the
 /// tolerance: on the coarse mesh and on the mesh asked for.
 const COARSE_MARGIN: [f64; 2] = [0.1, 1.0];
-const MARGIN: [f64; 2] = [0.02, 1.0];
+const MARGIN: [f64; 2] = [0.1, 1.0];
 
 /// Largest step in the logarithm of a dimension: the beam's equations are only nearly linear.
 const LARGEST_STEP: f64 = 0.3;
@@ -156,6 +92,49 @@ impl Turn {
     }
 }
 
+/// A tuned bar, and where the search for it ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TunedBar {
+    /// The bar.
+    pub bar: Bar,
+    turn: Turn,
+    x: [f64; 3],
+    /// What the mesh asked for adds to the coarse one's figures, in cents.
+    finer_cents: [f64; 3],
+}
+
+/// [`tune_bar`] for a bar that is to be much like `last`: the search begins there.
+///
+/// # Errors
+///
+/// As [`tune_bar`].
+pub fn retune_bar(
+    last: &TunedBar,
+    stock: &BarStock,
+    material: &Material,
+    fineness: BarFineness,
+    tuning: &BarTuning,
+) -> Result<TunedBar, BarTuneError> {
+    let beam_cents = |x| beam_cents(last.turn, stock, material, tuning, x);
+    let cents = beam_cents(last.x)?;
+    let start = Beam {
+        x: last.x,
+        cents,
+        slopes: slopes(beam_cents, last.x, cents)?,
+    };
+    match tune_solid(
+        last.turn,
+        stock,
+        material,
+        fineness,
+        tuning,
+        (&start, last.finer_cents),
+    ) {
+        Err(BarTuneError::NotTuned { .. }) => tune_bar(stock, material, fineness, tuning),
+        result => result,
+    }
+}
+
 /// A bar of `stock` with the arch that gives it its partials; where no arch does on the stock's own
 /// length, of another length.
 ///
@@ -171,12 +150,12 @@ pub fn tune_bar(
     material: &Material,
     fineness: BarFineness,
     tuning: &BarTuning,
-) -> Result<Bar, BarTuneError> {
+) -> Result<TunedBar, BarTuneError> {
     let mut nearest: Option<Beam> = None;
     for turn in [Turn::Arch, Turn::Length] {
         let beam = tune_beam(turn, stock, material, tuning)?;
         if worst(beam.cents) < BEAM_CENTS {
-            return tune_solid(turn, stock, material, fineness, tuning, &beam);
+            return tune_solid(turn, stock, material, fineness, tuning, (&beam, [0.0; 3]));
         }
         if nearest.is_none_or(|nearest| worst(beam.cents) < worst(nearest.cents)) {
             nearest = Some(beam);
@@ -211,23 +190,12 @@ fn tune_beam(
     material: &Material,
     tuning: &BarTuning,
 ) -> Result<Beam, SolveError> {
-    const DIFFERENCE: f64 = 1e-3;
-    let cents_off = |x: [f64; 3]| -> Result<[f64; 3], SolveError> {
-        Ok(cents(beam_hz(&turn.bar(stock, x), material)?, tuning))
-    };
+    let cents_off = |x| beam_cents(turn, stock, material, tuning, x);
     let mut x = turn.start();
     let mut cents = cents_off(x)?;
     let (mut best, mut idle): (Option<Beam>, usize) = (None, 0);
     for _ in 0..BEAM_STEPS {
-        let mut slopes = [[0.0; 3]; 3];
-        for column in 0..3 {
-            let mut aside = x;
-            aside[column] += DIFFERENCE;
-            let moved = cents_off(aside)?;
-            for row in 0..3 {
-                slopes[row][column] = (moved[row] - cents[row]) / DIFFERENCE;
-            }
-        }
+        let slopes = slopes(cents_off, x, cents)?;
         if best.is_none_or(|best| worst(cents) < worst(best.cents)) {
             best = Some(Beam { x, cents, slopes });
             idle = 0;
@@ -251,25 +219,63 @@ fn tune_beam(
     Ok(best.expect("at least one step"))
 }
 
+/// How far the beam of `x` is off, in cents.
+fn beam_cents(
+    turn: Turn,
+    stock: &BarStock,
+    material: &Material,
+    tuning: &BarTuning,
+    x: [f64; 3],
+) -> Result<[f64; 3], SolveError> {
+    Ok(cents(beam_hz(&turn.bar(stock, x), material)?, tuning))
+}
+
+/// Derivatives of `cents_off` (rows) at `x`, where it is `cents`.
+fn slopes(
+    cents_off: impl Fn([f64; 3]) -> Result<[f64; 3], SolveError>,
+    x: [f64; 3],
+    cents: [f64; 3],
+) -> Result<[[f64; 3]; 3], SolveError> {
+    const DIFFERENCE: f64 = 1e-3;
+    let mut slopes = [[0.0; 3]; 3];
+    for column in 0..3 {
+        let mut aside = x;
+        aside[column] += DIFFERENCE;
+        let moved = cents_off(aside)?;
+        for row in 0..3 {
+            slopes[row][column] = (moved[row] - cents[row]) / DIFFERENCE;
+        }
+    }
+    Ok(slopes)
+}
+
 fn tune_solid(
     turn: Turn,
     stock: &BarStock,
     material: &Material,
     fineness: BarFineness,
     tuning: &BarTuning,
-    beam: &Beam,
-) -> Result<Bar, BarTuneError> {
+    (beam, finer_cents): (&Beam, [f64; 3]),
+) -> Result<TunedBar, BarTuneError> {
     let (mut x, mut slopes) = (beam.x, beam.slopes);
-    let mut cents = [f64::NAN; 3];
+    let (mut cents, mut finer_cents) = ([f64::NAN; 3], finer_cents);
     // Grids stay as they are through the search, so that the pitch is a smooth function. A coarse
     // one has most of what tells a solid from a beam, and learns the slopes.
     let grid = fineness.grid(&turn.bar(stock, beam.x));
-    for (grid, margin) in [(coarse(grid), COARSE_MARGIN), (grid, MARGIN)] {
+    for (fine, margin) in [(false, COARSE_MARGIN), (true, MARGIN)] {
+        let (grid, added) = match fine {
+            false => (coarse(grid), finer_cents),
+            true => (grid, [0.0; 3]),
+        };
         let cents_off = |x: [f64; 3]| -> Result<[f64; 3], SolveError> {
             let quarter = Quarter::new(&turn.bar(stock, x), grid, material)?;
-            Ok(self::cents(bending_hz(&quarter)?, tuning))
+            let cents = self::cents(bending_hz(&quarter)?, tuning);
+            Ok([0, 1, 2].map(|i| cents[i] + added[i]))
         };
-        cents = cents_off(x)?;
+        let before = std::mem::replace(&mut cents, cents_off(x)?);
+        if fine {
+            finer_cents = [0, 1, 2].map(|i| finer_cents[i] + cents[i] - before[i]);
+        }
         for _ in 0..SOLID_STEPS {
             if within(cents, margin.map(|share| share * tuning.tolerance_cents)) {
                 break;
@@ -277,7 +283,7 @@ fn tune_solid(
             let Some(step) = solved(&slopes, cents) else {
                 break;
             };
-            x = [0, 1, 2].map(|i| x[i] - step[i]);
+            x = turn.clamp([0, 1, 2].map(|i| x[i] - step[i]));
             cents = cents_off(x)?;
             // What the straight line did not foresee is what is left.
             let square: f64 = step.iter().map(|s| s * s).sum();
@@ -292,7 +298,12 @@ fn tune_solid(
         cents,
         [1.0, UPPER].map(|share| share * tuning.tolerance_cents),
     ) {
-        Ok(turn.bar(stock, x))
+        Ok(TunedBar {
+            bar: turn.bar(stock, x),
+            turn,
+            x,
+            finer_cents,
+        })
     } else {
         Err(BarTuneError::NotTuned {
             pitch_hz: tuning.pitch_hz,

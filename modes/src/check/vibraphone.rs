@@ -37,12 +37,7 @@ fn tuned(key: u8, pitch_hz: f64, ratios: [f64; 2]) -> Result<Bar, CheckError> {
         ratios,
         tolerance_cents: 1.0,
     };
-    Ok(tune_bar(
-        &vibraphone_stock(key),
-        &aluminium(),
-        SHIPPED,
-        &tuning,
-    )?)
+    Ok(tune_bar(&vibraphone_stock(key), &aluminium(), SHIPPED, &tuning)?.bar)
 }
 
 fn partials(bar: &Bar) -> Result<BarPartials, CheckError> {

@@ -155,6 +155,7 @@ impl<'a> Maker<'a> {
         };
         let (stock, material) = (vibraphone_stock(key), &self.recipe.material);
         tune_bar(&stock, material, self.bar_fineness(1), &tuning)
+            .map(|tuned| tuned.bar)
             .map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))
     }
 

@@ -55,11 +55,19 @@ impl Harmonic {
             pattern: Arc::new(pattern),
             rigid: if order < 2 { 2 } else { 0 },
         };
+        let mut known: Vec<([[f64; 2]; 8], Cell)> = Vec::new();
         for (index, cell) in meridian.cells.iter().enumerate() {
             let nodes = cell.map(|node| meridian.nodes_m[node as usize]);
+            let twin = known.iter().find(|(other, _)| is_shifted(other, &nodes));
+            if let Some((_, element)) = twin {
+                element.add(cell, &unknowns, &mut pencil);
+                continue;
+            }
             let element =
                 Cell::new(&nodes, material, order).ok_or(SolveError::BadElement { index })?;
             element.add(cell, &unknowns, &mut pencil);
+            known.truncate(REMEMBERED - 1);
+            known.insert(0, (nodes, element));
         }
         Ok(Self { pencil, unknowns })
     }
@@ -72,6 +80,20 @@ impl Harmonic {
             mode.get(unknown as usize).copied().unwrap_or(0.0)
         })
     }
+}
+
+/// Cells whose matrices are kept for those that follow: those of a tube are all alike but for where
+/// they are along the axis.
+const REMEMBERED: usize = 16;
+
+/// Whether two cells are the same but for their place along the axis, to rounding.
+fn is_shifted(a: &[[f64; 2]; 8], b: &[[f64; 2]; 8]) -> bool {
+    let size_m = (a[2][0] - a[0][0]).abs() + (a[2][1] - a[0][1]).abs();
+    let shift_m = b[0][1] - a[0][1];
+    let near = |x: f64, y: f64| (x - y).abs() < 1e-11 * size_m;
+    a.iter()
+        .zip(b)
+        .all(|(a, b)| near(a[0], b[0]) && near(a[1] + shift_m, b[1]))
 }
 
 /// On the axis a smooth motion of order 0 has only W, of order 1 only U = −V, of others nothing.

@@ -8,7 +8,7 @@ use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
 /// Meshes of fewer nodes are left to minimum degree.
-const DISSECT_FROM: usize = 1_500;
+const DISSECT_FROM: usize = 3_000;
 
 /// The unknowns of `pattern` in the order of elimination, and the place of each in it.
 pub(super) fn order(pattern: &Pattern) -> (Vec<u32>, Vec<u32>) {

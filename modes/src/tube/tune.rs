@@ -74,8 +74,16 @@ const LONGEST_M: f64 = 10.0;
 /// Shortest tube in outer diameters: shorter ones are rings, not beams.
 const SHORTEST_DIAMETERS: f64 = 2.0;
 
-/// The search goes on to this fraction of the tolerance, as long as it gets nearer.
-const MARGIN: f64 = 1e-3;
+/// How much longer the cells of the coarse mesh are.
+const COARSER: f64 = 3.0;
+
+/// The search goes on to these fractions of the tolerance: on the coarse mesh and on the mesh asked
+/// for.
+const COARSE_MARGIN: f64 = 0.5;
+const MARGIN: f64 = 0.02;
+
+/// How near a beam's length is looked for: a solid tube is further from it.
+const PREDICTED: f64 = 2e-3;
 
 /// Solves take this many steps at most; the secant needs three or four.
 const STEPS: usize = 12;
@@ -83,8 +91,7 @@ const STEPS: usize = 12;
 /// `shape` with the length that tunes it; its own length does not matter. Elements are no longer
 /// than `max_element_m`.
 ///
-/// A Timoshenko beam gives the first length; then ln f against ln L, nearly a line of slope −2, is
-/// followed by secants of finite-element solves for the one mode.
+/// A Timoshenko beam gives the first length, to which [`retune_tube`] holds finite elements.
 ///
 /// # Errors
 ///
@@ -95,44 +102,89 @@ pub fn tune_tube(
     max_element_m: f64,
     tuning: &TubeTuning,
 ) -> Result<Bell, TuneError> {
-    let cut = |length_m: f64| Bell {
+    let length_m = predicted_length_m(&shape.tube, material, tuning)?;
+    retune_tube(&cut(shape, length_m), material, max_element_m, tuning)
+}
+
+/// A tube like `last` that is tuned, from a length that is nearly right: ln f against ln L, nearly a
+/// line of slope −2, is followed by secants of finite-element solves for the one mode, on a coarse
+/// mesh first, whose slope the fine one takes over.
+///
+/// # Errors
+///
+/// [`TuneError::NotTuned`] if the search does not end, [`TuneError::Solve`] if the solver fails.
+pub fn retune_tube(
+    last: &Bell,
+    material: &Material,
+    max_element_m: f64,
+    tuning: &TubeTuning,
+) -> Result<Bell, TuneError> {
+    let mut search = Search {
+        x: last.tube.length_m.ln(),
+        slope: -2.0 * 1200.0 / std::f64::consts::LN_2,
+        cents: f64::NAN,
+    };
+    for (coarser, layers, margin) in [(COARSER, 1, COARSE_MARGIN), (1.0, LAYERS, MARGIN)] {
+        // The cells stay as they are through the search, so that the pitch is a smooth function.
+        let cells = cut(last, search.x.exp()).cells(coarser * max_element_m);
+        let cents_off = |length_m: f64| -> Result<f64, SolveError> {
+            let meridian = bell(&cut(last, length_m), cells, layers).meridian;
+            let pencil = Harmonic::new(&meridian, material, 1)?.pencil;
+            let hz = lowest(&pencil, tuning.partial - 1)?;
+            Ok(1200.0 * (hz / tuning.pitch_hz).log2())
+        };
+        search.run(cents_off, margin * tuning.tolerance_cents)?;
+    }
+    if search.cents.abs() <= tuning.tolerance_cents {
+        Ok(cut(last, search.x.exp()))
+    } else {
+        Err(TuneError::NotTuned {
+            pitch_hz: tuning.pitch_hz,
+            cents: search.cents,
+        })
+    }
+}
+
+/// `shape`, cut to `length_m`.
+fn cut(shape: &Bell, length_m: f64) -> Bell {
+    Bell {
         tube: Tube {
             length_m,
             ..shape.tube
         },
         ..*shape
-    };
-    let first = predicted_length_m(&shape.tube, material, tuning)?;
-    // The cells stay as they are through the search, so that the pitch is a smooth function.
-    let cells = cut(first).cells(max_element_m);
-    let cents_off = |length_m: f64| -> Result<f64, SolveError> {
-        let meridian = bell(&cut(length_m), cells, LAYERS).meridian;
-        let hz = lowest(
-            &Harmonic::new(&meridian, material, 1)?.pencil,
-            tuning.partial - 1,
-        )?;
-        Ok(1200.0 * (hz / tuning.pitch_hz).log2())
-    };
-    let (mut x, mut slope) = (first.ln(), -2.0 * 1200.0 / std::f64::consts::LN_2);
-    let mut cents = cents_off(first)?;
-    for _ in 0..STEPS {
-        if cents.abs() < MARGIN * tuning.tolerance_cents {
-            break;
-        }
-        let next = x - cents / slope;
-        let next_cents = cents_off(next.exp())?;
-        if next_cents != cents {
-            slope = (next_cents - cents) / (next - x);
-        }
-        (x, cents) = (next, next_cents);
     }
-    if cents.abs() <= tuning.tolerance_cents {
-        Ok(cut(x.exp()))
-    } else {
-        Err(TuneError::NotTuned {
-            pitch_hz: tuning.pitch_hz,
-            cents,
-        })
+}
+
+/// A search for the length.
+struct Search {
+    /// Logarithm of the length in m.
+    x: f64,
+    /// Cents by that logarithm.
+    slope: f64,
+    cents: f64,
+}
+
+impl Search {
+    /// Goes on until the pitch is off by no more than `margin` cents.
+    fn run(
+        &mut self,
+        cents_off: impl Fn(f64) -> Result<f64, SolveError>,
+        margin: f64,
+    ) -> Result<(), SolveError> {
+        self.cents = cents_off(self.x.exp())?;
+        for _ in 0..STEPS {
+            if self.cents.abs() < margin {
+                break;
+            }
+            let next = self.x - self.cents / self.slope;
+            let cents = cents_off(next.exp())?;
+            if cents != self.cents {
+                self.slope = (cents - self.cents) / (next - self.x);
+            }
+            (self.x, self.cents) = (next, cents);
+        }
+        Ok(())
     }
 }
 
@@ -164,7 +216,7 @@ pub fn predicted_length_m(
             longest_m: LONGEST_M,
         });
     }
-    while long / short > 1.0 + 1e-6 {
+    while long / short > 1.0 + PREDICTED {
         let middle = (short * long).sqrt();
         if hz(middle) > tuning.pitch_hz {
             short = middle;
