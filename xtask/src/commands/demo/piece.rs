@@ -6,8 +6,11 @@ use anyhow::{Result, bail};
 use modes::Recipe;
 use std::path::{Path, PathBuf};
 
-/// A single strike peaks at −18 dB of full scale at most; these pieces leave room for more.
+/// A single strike peaks at −15 dB of full scale at most; these pieces leave room for more.
 const GAIN: &str = "Output gain=12 dB";
+
+/// Bowls that ring shortly are played fast and loud.
+const LESS_GAIN: &str = "Output gain=6 dB";
 
 /// A hand laid on the bodies after the last bar, which would otherwise ring for minutes: seconds
 /// after the song's end, and Alpha 2 in 1/s from then on.
@@ -54,7 +57,6 @@ impl Piece {
     pub(super) fn render(&self, song_s: f64, wav: &Path) -> Render {
         let mut render = Render::plain(self.song(), wav.to_owned());
         render.set.push(format!("Instrument={}", self.title));
-        render.set.push(GAIN.to_owned());
         render
             .set
             .extend(hands(self.name).iter().map(|&set| set.to_owned()));
@@ -64,16 +66,16 @@ impl Piece {
     }
 }
 
-/// Mallets by which the pieces come out about equally loud, and dampers where there is a pedal. The
-/// hardnesses are no measured ones.
+/// Gains and mallets by which the pieces come out about equally loud, and dampers where there is a
+/// pedal. The hardnesses are no measured ones.
 fn hands(name: &str) -> &'static [&'static str] {
     match name {
-        "vibraphone" => &["Mallet hardness=70 MPa", "Note-off=damps"],
-        "tubular-bells" => &["Mallet hardness=100 MPa", "Note-off=damps"],
-        "singing-bowls" => &["Mallet hardness=300 MPa"],
-        "crystal-bowls" => &["Mallet hardness=400 MPa"],
-        "metal-bowls" | "oak-bowls" => &["Mallet hardness=500 MPa"],
-        _ => &[],
+        "vibraphone" => &[GAIN, "Mallet hardness=120 MPa", "Note-off=damps"],
+        "tubular-bells" => &[GAIN, "Mallet hardness=300 MPa", "Note-off=damps"],
+        "singing-bowls" => &[GAIN, "Mallet hardness=600 MPa"],
+        "crystal-bowls" => &[GAIN, "Mallet hardness=400 MPa"],
+        "metal-bowls" | "oak-bowls" => &[LESS_GAIN, "Mallet hardness=500 MPa"],
+        _ => &[GAIN],
     }
 }
 
