@@ -17,6 +17,7 @@ pub use cyclic::CyclicTube;
 pub use fourier::Harmonic;
 pub use hex20::HEX20_NODES;
 pub(crate) use hex20::hex20_weights;
+pub(crate) use meridian::CELL_NODES;
 pub use meridian::Meridian;
 pub use pencil::{Pattern, Pencil};
 pub use tet4::TetMass;

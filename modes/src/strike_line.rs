@@ -68,6 +68,25 @@ impl StrikeLine {
         self.points_m.len()
     }
 
+    /// φ·n where `stencil` says, of a mode whose displacement at the line's points is `shape`.
+    ///
+    /// # Panics
+    ///
+    /// If the stencil is none for this line, or `shape` has fewer points.
+    #[must_use]
+    pub fn normal_motion(&self, shape: &[[f32; 3]], stencil: &Stencil) -> f64 {
+        let points = shape[stencil.first..]
+            .iter()
+            .zip(&self.normals[stencil.first..]);
+        let motions = points.map(|(u, n)| (0..3).map(|a| f64::from(u[a]) * n[a]).sum::<f64>());
+        stencil
+            .weights
+            .iter()
+            .zip(motions)
+            .map(|(weight, motion)| weight * motion)
+            .sum()
+    }
+
     /// Whether the line has no points.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -1,26 +1,13 @@
 //! Harmonic elements: motions cos mθ of a body of revolution, solved in its meridian alone.
 //!
 //! u_r = U cos mθ, u_θ = V sin mθ, u_z = W cos mθ never mix with those of another m (Wilson 1965;
-//! Zienkiewicz & Taylor 2000, vol. 2, §9.5). Eight-node quadrilaterals with 2×2 points for the
-//! stiffness, as the hexahedra of [`super::hex20`], and for the same reason.
+//! Zienkiewicz & Taylor 2000, vol. 2, §9.5). Eight-node quadrilaterals with 3×3 points.
 
-use super::meridian::Meridian;
+use super::meridian::{CELL_NODES, Meridian};
 use super::pencil::{Pattern, Pencil};
 use crate::{Material, SolveError};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
-
-/// Local coordinates of the nodes, as [`Meridian::cells`] numbers them.
-const NODES: [[f64; 2]; 8] = [
-    [-1.0, -1.0],
-    [1.0, -1.0],
-    [1.0, 1.0],
-    [-1.0, 1.0],
-    [0.0, -1.0],
-    [1.0, 0.0],
-    [0.0, 1.0],
-    [-1.0, 0.0],
-];
 
 /// Gauss points and weights on −1…1. With fewer, which do for hexahedra, motions that no point sees
 /// would run along a single layer of cells: many waves around a small circle do.
@@ -214,8 +201,8 @@ struct Point {
 
 impl Point {
     fn new(nodes: &[[f64; 2]; 8], x: [f64; 2]) -> Option<Self> {
-        let values = NODES.map(|node| shape(node, x));
-        let local = NODES.map(|node| shape_gradient(node, x));
+        let values = CELL_NODES.map(|node| shape(node, x));
+        let local = CELL_NODES.map(|node| shape_gradient(node, x));
         let mut jacobian = [[0.0; 2]; 2];
         let mut radius_m = 0.0;
         for ((value, slope), place) in values.iter().zip(&local).zip(nodes) {
@@ -333,8 +320,8 @@ mod tests {
     #[test]
     fn shape_functions_are_one_at_home_and_slopes_match_differences() {
         let (x, h) = ([0.3, -0.2], 1e-6);
-        for (i, &node) in NODES.iter().enumerate() {
-            for (j, &at) in NODES.iter().enumerate() {
+        for (i, &node) in CELL_NODES.iter().enumerate() {
+            for (j, &at) in CELL_NODES.iter().enumerate() {
                 assert!((shape(node, at) - f64::from(u8::from(i == j))).abs() < 1e-15);
             }
             let slopes = shape_gradient(node, x);

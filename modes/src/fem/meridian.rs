@@ -13,6 +13,18 @@ const CELL: [[usize; 2]; 8] = [
     [0, 1],
 ];
 
+/// Local coordinates of a cell's nodes, −1 to 1, as [`Meridian::cells`] numbers them.
+pub(crate) const CELL_NODES: [[f64; 2]; 8] = [
+    [-1.0, -1.0],
+    [1.0, -1.0],
+    [1.0, 1.0],
+    [-1.0, 1.0],
+    [0.0, -1.0],
+    [1.0, 0.0],
+    [0.0, 1.0],
+    [-1.0, 0.0],
+];
+
 /// Sides of a cell as local nodes, start, middle, end, counter-clockwise; and the step to the cell
 /// on the other side.
 const SIDES: [([usize; 3], [isize; 2]); 4] = [

@@ -1,20 +1,8 @@
 //! The whole mesh of a body of revolution.
 
 use super::{Elements, Mesh, number};
-use crate::fem::{HEX20_NODES, Meridian};
+use crate::fem::{CELL_NODES, HEX20_NODES, Meridian};
 use std::f64::consts::TAU;
-
-/// Local (r, z) of a meridian cell's nodes: corners, then edge middles.
-const CELL_NODES: [[f64; 2]; 8] = [
-    [-1.0, -1.0],
-    [1.0, -1.0],
-    [1.0, 1.0],
-    [-1.0, 1.0],
-    [0.0, -1.0],
-    [1.0, 0.0],
-    [0.0, 1.0],
-    [-1.0, 0.0],
-];
 
 /// `meridian`, which must keep off the axis, turned about it: twenty-node hexahedra, `around` of them
 /// to each cell.
@@ -50,7 +38,7 @@ pub fn revolve_hex20(meridian: &Meridian, around: usize) -> Mesh {
     }
 }
 
-/// Which of [`CELL_NODES`] is at `place`.
+/// Which of a meridian cell's nodes is at `place`.
 fn local_node(place: [f64; 2]) -> usize {
     let node = CELL_NODES.iter().position(|node| *node == place);
     node.expect("a hexahedron's nodes lie over those of its cell")

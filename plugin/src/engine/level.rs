@@ -71,29 +71,16 @@ fn blow(bank: &Bank, body: &Body, velocity: f32) -> (f64, Pulse) {
 fn struck(bank: &Bank, body: &Body) -> Vec<Ringing> {
     let (position, pulse) = blow(bank, body, VELOCITY);
     let stencil = Stencil::at(position, body.line.len());
-    let drain = Losses::AS_BUILT.drain(&bank.damping);
     let fits = |mode: &&Mode| mode.shape.len() == body.line.len();
     body.modes
         .iter()
         .filter(fits)
         .filter_map(|mode| {
-            let omega = TAU * mode.hz;
-            let inside = 0.5
-                * (drain.alpha1_s * omega * omega + drain.loss_factor * omega + drain.alpha2_per_s);
-            let outside = mode.radiation_per_s + mode.pipe_per_s + mode.support_per_s;
-            let Motion::Ringing { hz, decay_per_s } =
-                Motion::of(mode.hz, inside + f64::from(outside))
-            else {
+            let decay_per_s = mode.decay_per_s(&bank.damping);
+            let Motion::Ringing { hz, decay_per_s } = Motion::of(mode.hz, decay_per_s) else {
                 return None;
             };
-            let normal: f64 = (0..Stencil::POINTS)
-                .map(|k| {
-                    let point = stencil.first + k;
-                    let (shape, normal) = (mode.shape[point], body.line.normals[point]);
-                    let along = (0..3).map(|axis| f64::from(shape[axis]) * normal[axis]);
-                    stencil.weights[k] * along.sum::<f64>()
-                })
-                .sum();
+            let normal = body.line.normal_motion(&mode.shape, &stencil);
             let amplitude = normal * pulse.spectrum_n_s(TAU * hz) / (TAU * hz);
             Some(Ringing {
                 hz,

@@ -58,14 +58,7 @@ fn lasting(decay_per_s: f64) -> f64 {
 /// impulse gives the mode an amplitude φ·n/ω (O'Brien 2002, Eq. 18 without its 2).
 fn pressure_pa(body: &Body, mode: &Mode, position: f64) -> f64 {
     let stencil = Stencil::at(position, body.line.len());
-    let normal: f64 = (0..Stencil::POINTS)
-        .map(|k| {
-            let point = stencil.first + k;
-            let (shape, normal) = (mode.shape[point], body.line.normals[point]);
-            let along = (0..3).map(|axis| f64::from(shape[axis]) * normal[axis]);
-            stencil.weights[k] * along.sum::<f64>()
-        })
-        .sum();
+    let normal = body.line.normal_motion(&mode.shape, &stencil);
     let ear = (0..2)
         .map(|ear| {
             let [real, imaginary] = [0, 1]
