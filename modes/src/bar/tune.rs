@@ -32,15 +32,14 @@ const LENGTHS: [f64; 2] = [0.6, 1.6];
 const UPPER: f64 = 10.0;
 
 /// The search goes on until the pitch and the upper modes are off by these fractions of the
-/// tolerance: on the coarse mesh and on the mesh asked for.
-const COARSE_MARGIN: [f64; 2] = [0.1, 1.0];
+/// tolerance.
 const MARGIN: [f64; 2] = [0.1, 1.0];
 
 /// Largest step in the logarithm of a dimension: the beam's equations are only nearly linear.
 const LARGEST_STEP: f64 = 0.3;
 
-/// A beam is near enough at so many cents: a solid bar is further from it.
-const BEAM_CENTS: f64 = 0.5;
+/// A beam is near enough at so many cents: what a solid bar adds is known no better.
+const BEAM_CENTS: f64 = 0.05;
 
 /// Steps that beams take at most; most need three or four.
 const BEAM_STEPS: usize = 25;
@@ -99,11 +98,12 @@ pub struct TunedBar {
     pub bar: Bar,
     turn: Turn,
     x: [f64; 3],
-    /// What the mesh asked for adds to the coarse one's figures, in cents.
-    finer_cents: [f64; 3],
+    /// How much higher than the beam's the solid's modes are, in cents.
+    over_beam_cents: [f64; 3],
 }
 
-/// [`tune_bar`] for a bar that is to be much like `last`: the search begins there.
+/// [`tune_bar`] for a bar that is to be much like `last`: what that one adds to a beam, a beam is
+/// tuned to allow for, and mostly a solid or two are enough.
 ///
 /// # Errors
 ///
@@ -115,24 +115,16 @@ pub fn retune_bar(
     fineness: BarFineness,
     tuning: &BarTuning,
 ) -> Result<TunedBar, BarTuneError> {
-    let beam_cents = |x| beam_cents(last.turn, stock, material, tuning, x);
-    let cents = beam_cents(last.x)?;
-    let start = Beam {
-        x: last.x,
-        cents,
-        slopes: slopes(beam_cents, last.x, cents)?,
-    };
-    match tune_solid(
-        last.turn,
-        stock,
-        material,
-        fineness,
-        tuning,
-        (&start, last.finer_cents),
-    ) {
-        Err(BarTuneError::NotTuned { .. }) => tune_bar(stock, material, fineness, tuning),
-        result => result,
+    let start = (last.x, last.over_beam_cents);
+    let beam = tune_beam(last.turn, stock, material, tuning, start)?;
+    if worst(beam.cents) < BEAM_CENTS {
+        let grid = fineness.grid(&last.turn.bar(stock, beam.x));
+        match tune_solid(last.turn, stock, material, &[grid], tuning, &beam) {
+            Err(BarTuneError::NotTuned { .. }) => {}
+            result => return result,
+        }
     }
+    tune_bar(stock, material, fineness, tuning)
 }
 
 /// A bar of `stock` with the arch that gives it its partials; where no arch does on the stock's own
@@ -153,9 +145,11 @@ pub fn tune_bar(
 ) -> Result<TunedBar, BarTuneError> {
     let mut nearest: Option<Beam> = None;
     for turn in [Turn::Arch, Turn::Length] {
-        let beam = tune_beam(turn, stock, material, tuning)?;
+        let beam = tune_beam(turn, stock, material, tuning, (turn.start(), [0.0; 3]))?;
         if worst(beam.cents) < BEAM_CENTS {
-            return tune_solid(turn, stock, material, fineness, tuning, (&beam, [0.0; 3]));
+            // A coarse grid has most of what tells a solid from a beam, and learns the slopes.
+            let grid = fineness.grid(&turn.bar(stock, beam.x));
+            return tune_solid(turn, stock, material, &[coarse(grid), grid], tuning, &beam);
         }
         if nearest.is_none_or(|nearest| worst(beam.cents) < worst(nearest.cents)) {
             nearest = Some(beam);
@@ -184,14 +178,18 @@ struct Beam {
     slopes: [[f64; 3]; 3],
 }
 
+/// A beam that a solid `over_cents` higher would have its partials, searched from `x` on.
 fn tune_beam(
     turn: Turn,
     stock: &BarStock,
     material: &Material,
     tuning: &BarTuning,
+    (mut x, over_cents): ([f64; 3], [f64; 3]),
 ) -> Result<Beam, SolveError> {
-    let cents_off = |x| beam_cents(turn, stock, material, tuning, x);
-    let mut x = turn.start();
+    let cents_off = |x| -> Result<[f64; 3], SolveError> {
+        let cents = beam_cents(turn, stock, material, tuning, x)?;
+        Ok([0, 1, 2].map(|i| cents[i] + over_cents[i]))
+    };
     let mut cents = cents_off(x)?;
     let (mut best, mut idle): (Option<Beam>, usize) = (None, 0);
     for _ in 0..BEAM_STEPS {
@@ -249,35 +247,26 @@ fn slopes(
     Ok(slopes)
 }
 
+/// Solids beginning with `beam`, on one grid after the other.
+///
+/// A grid stays as it is while one searches on it, so that the pitch is a smooth function.
 fn tune_solid(
     turn: Turn,
     stock: &BarStock,
     material: &Material,
-    fineness: BarFineness,
+    grids: &[BarGrid],
     tuning: &BarTuning,
-    (beam, finer_cents): (&Beam, [f64; 3]),
+    beam: &Beam,
 ) -> Result<TunedBar, BarTuneError> {
-    let (mut x, mut slopes) = (beam.x, beam.slopes);
-    let (mut cents, mut finer_cents) = ([f64::NAN; 3], finer_cents);
-    // Grids stay as they are through the search, so that the pitch is a smooth function. A coarse
-    // one has most of what tells a solid from a beam, and learns the slopes.
-    let grid = fineness.grid(&turn.bar(stock, beam.x));
-    for (fine, margin) in [(false, COARSE_MARGIN), (true, MARGIN)] {
-        let (grid, added) = match fine {
-            false => (coarse(grid), finer_cents),
-            true => (grid, [0.0; 3]),
-        };
+    let (mut x, mut cents, mut slopes) = (beam.x, beam.cents, beam.slopes);
+    for &grid in grids {
         let cents_off = |x: [f64; 3]| -> Result<[f64; 3], SolveError> {
             let quarter = Quarter::new(&turn.bar(stock, x), grid, material)?;
-            let cents = self::cents(bending_hz(&quarter)?, tuning);
-            Ok([0, 1, 2].map(|i| cents[i] + added[i]))
+            Ok(self::cents(bending_hz(&quarter)?, tuning))
         };
-        let before = std::mem::replace(&mut cents, cents_off(x)?);
-        if fine {
-            finer_cents = [0, 1, 2].map(|i| finer_cents[i] + cents[i] - before[i]);
-        }
+        cents = cents_off(x)?;
         for _ in 0..SOLID_STEPS {
-            if within(cents, margin.map(|share| share * tuning.tolerance_cents)) {
+            if within(cents, MARGIN.map(|share| share * tuning.tolerance_cents)) {
                 break;
             }
             let Some(step) = solved(&slopes, cents) else {
@@ -294,22 +283,22 @@ fn tune_solid(
             }
         }
     }
-    if within(
+    if !within(
         cents,
         [1.0, UPPER].map(|share| share * tuning.tolerance_cents),
     ) {
-        Ok(TunedBar {
-            bar: turn.bar(stock, x),
-            turn,
-            x,
-            finer_cents,
-        })
-    } else {
-        Err(BarTuneError::NotTuned {
+        return Err(BarTuneError::NotTuned {
             pitch_hz: tuning.pitch_hz,
             cents,
-        })
+        });
     }
+    let beam = beam_cents(turn, stock, material, tuning, x)?;
+    Ok(TunedBar {
+        bar: turn.bar(stock, x),
+        turn,
+        x,
+        over_beam_cents: [0, 1, 2].map(|i| cents[i] - beam[i]),
+    })
 }
 
 /// Cells about twice as long and wide.
