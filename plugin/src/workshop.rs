@@ -58,16 +58,17 @@ impl Bench {
         self.ready.pop()
     }
 
-    /// Blocks until the instrument that was asked for is ready; `None` if that takes too long.
-    pub(crate) fn wait(&self) -> Option<Ready> {
-        let start = Instant::now();
-        while start.elapsed() < PATIENCE {
-            if let ready @ Some(_) = self.fetch() {
-                return ready;
+    /// Blocks until the instrument of that index, which was asked for, is ready; `None` if that
+    /// takes too long. Any other, made before the last change of mind, is taken apart.
+    pub(crate) fn wait(&self, wanted: usize) -> Option<Ready> {
+        patiently(|| match self.fetch() {
+            Some((index, engine)) if index != wanted => {
+                // Without a thread to take it, it is dropped here.
+                let _ = self.discard_surely(engine);
+                None
             }
-            thread::sleep(Duration::from_millis(1));
-        }
-        None
+            ready => ready,
+        })
     }
 
     /// Hands over an instrument to be taken apart; back, if there is no room.
@@ -75,6 +76,16 @@ impl Bench {
         self.spent.push(engine)?;
         self.wake();
         Ok(())
+    }
+
+    /// The same, but blocks until there is room; back, if that takes too long.
+    pub(crate) fn discard_surely(&self, engine: Box<Engine>) -> Result<(), Box<Engine>> {
+        let mut engine = Some(engine);
+        patiently(|| {
+            engine = self.discard(engine.take()?).err();
+            engine.is_none().then_some(())
+        });
+        engine.map_or(Ok(()), Err)
     }
 
     fn wake(&self) {
@@ -98,6 +109,18 @@ impl Bench {
         }
         busy
     }
+}
+
+/// Tries again and again, until there is a result or patience ends.
+fn patiently<T>(mut attempt: impl FnMut() -> Option<T>) -> Option<T> {
+    let start = Instant::now();
+    while start.elapsed() < PATIENCE {
+        if let result @ Some(_) = attempt() {
+            return result;
+        }
+        thread::sleep(Duration::from_millis(1));
+    }
+    None
 }
 
 /// A bench with a thread that works at it.

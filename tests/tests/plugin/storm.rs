@@ -8,7 +8,7 @@ const EVENTS: usize = 100_000;
 /// Longest block.
 const BLOCK: u64 = 512;
 /// No sample of the storm is greater.
-const BOUND: f32 = 16.0;
+const BOUND: f32 = 8.0;
 
 fn random(noise: &mut Noise, params: &[Param]) -> Event {
     let odd = |noise: &mut Noise, value: f64| match noise.below(50) {
