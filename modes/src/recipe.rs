@@ -3,6 +3,7 @@
 mod check;
 mod error;
 mod raw;
+mod together;
 
 pub use error::{RecipeError, RecipeFileError};
 

@@ -5,6 +5,7 @@ use super::raw::{
     Raw, RawBody, RawDamping, RawImperfection, RawKeys, RawListener, RawMaterial, RawMesh,
     RawResonator, RawTuning,
 };
+use super::together::check_together;
 use super::{
     ImperfectionRecipe, ImperfectionSize, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe,
     ResonatorRecipe, ShapeRecipe, TuningRecipe,
@@ -32,7 +33,7 @@ impl Raw {
                 return Err(Fault::field("damping", "left out", allowed));
             }
         };
-        Ok(Recipe {
+        let recipe = Recipe {
             title: check_title(self.title.unwrap_or_else(|| self.name.clone()))?,
             name: check_name(self.name)?,
             keys: check_keys(&self.keys)?,
@@ -50,7 +51,9 @@ impl Raw {
             listener: check_listener(&self.listener)?,
             mesh: check_mesh(&self.mesh)?,
             text: text.to_owned(),
-        })
+        };
+        check_together(&recipe)?;
+        Ok(recipe)
     }
 }
 
