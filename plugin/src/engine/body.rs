@@ -1,292 +1,427 @@
 //! One object: its modes, and how they wake, change and fall asleep.
 
+use super::GRID;
+use super::contact::{Blow, Contact};
 use super::losses::Drain;
-use super::oscillators::{Buses, Hear, Kernel, Oscillators, Push, Uptake};
-use super::rates::{Rates, Retune, uptake};
-use super::resonator::Resonator;
-use super::{GRID, contact::Contact};
-use modes::{Ears, Stencil};
+use super::mallet::Mallet;
+use super::oscillators::{Drive, Kernel, LANES, Pack, Step, Tone, Tune, TuneSteps};
+use super::source::{Hearing, Source, reached};
+use super::touch::Touch;
+use modes::Stencil;
+use std::ops::Range;
 
 /// Amplitude below which a mode is stopped, as a fraction of full scale: −180 dB.
 const FLOOR: f64 = 1e-9;
 
-/// Share of the strongest mode's reach below which no strike makes a mode heard: −140 dB.
-const UNREACHED: f64 = 1e-7;
+/// Mallets on a body at the same time.
+pub(crate) const MALLETS: usize = 4;
+
+/// Steps a second that a contact is followed with at least, and steps to a contact: below, its higher
+/// harmonics fold back into what is heard.
+const FOLLOWED_HZ: f64 = 176_400.0;
+const FOLLOWED: f64 = 12.0;
+
+/// Steps to a sample at most.
+const MOST_STEPS: f64 = 16.0;
 
 /// A body that rings.
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
     pub(crate) mass_kg: f64,
-    /// Mallets on it now.
-    pub(crate) contacts: usize,
     /// Whether the bank says what the damper's felt does to it.
     pub(crate) has_felt: bool,
-    oscillators: Oscillators,
-    /// What is heard through the resonator, if there is one.
-    resonator: Option<Resonator>,
-    rates: Rates,
-    uptake: Uptake,
+    /// Where its modes are among the packs of the instrument.
+    pub(crate) place: Range<usize>,
+    /// Leading packs that may be ringing.
+    pub(crate) live: usize,
+    /// Whether something pushes it: then it moves sample by sample and not with the rest.
+    pub(crate) driven: bool,
+    /// Whether what is heard of it changes over this cell.
+    pub(crate) fading: bool,
+    tones: Vec<Tone>,
+    sources: Vec<Source>,
+    /// Leading packs that are heard through a resonator.
+    piped: usize,
     /// φ·n̂ in kg^(−1/2), point by point and mode by mode.
     normal: Vec<f32>,
     points: usize,
-    /// Full scale per modal displacement, at the nearer ear.
-    weight: Vec<f64>,
-    inverse_omega_s: Vec<f64>,
-    /// What the oscillators are tuned for.
-    tuned: Option<Drain>,
+    mallets: [Contact; MALLETS],
+    steps: Vec<Step>,
+    substeps: u32,
+    /// What the modes are tuned to.
+    tuned: Option<Tuned>,
+    heard: Option<Hearing>,
 }
 
-/// Samples to ring.
-#[derive(Clone, Copy)]
-pub(crate) struct Span {
-    pub(crate) samples: usize,
-    pub(crate) step_s: f64,
-    /// Open share of the resonator at the first sample, and what each adds.
-    pub(crate) open: [f64; 2],
+/// Everything that the steps of a body's modes depend on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tuned {
+    pub(crate) drain: Drain,
+    /// Frequencies over those as built.
+    pub(crate) ratio: f64,
 }
 
-/// A mode as the engine needs it.
-pub(super) struct Reached {
-    hz: f64,
-    pub(super) ears: Ears,
-    /// What of that comes through the resonator.
-    pub(super) piped: Ears,
-    /// Decay rates in 1/s by radiation, supports, resonator and felt.
-    air: [f64; 4],
-    normal: Vec<f32>,
+/// A blow on a body.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Strike {
+    pub(crate) mallet: Mallet,
+    /// E/(1 − ν²) of the body, in Pa.
+    pub(crate) body_pa: f64,
+    pub(crate) touch: Touch,
+    /// Seed of the roughness of head and surface.
+    pub(crate) seed: u64,
 }
 
-/// What a mode sends to the ears, by itself and through the resonator below it.
-pub(crate) fn heard(mode: &modes::Mode) -> Ears {
-    let add = |a: [f32; 2], b: [f32; 2]| [a[0] + b[0], a[1] + b[1]];
-    [0, 1].map(|ear| add(mode.ears[ear], mode.pipe_ears[ear]))
-}
+/// How many leading packs are to be heard otherwise than before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Moved(pub(crate) usize);
 
-/// Size of the sound at the ear that gets more of it.
-pub(super) fn loudest(ears: &Ears) -> f64 {
-    let size = |ear: &[f32; 2]| f64::from(ear[0]).hypot(f64::from(ear[1]));
-    ears.iter().map(size).fold(0.0, f64::max)
-}
-
-/// The modes that a strike somewhere on the line makes heard, by rising frequency.
-fn reached(body: &modes::Body) -> Vec<Reached> {
-    let points = body.line.len();
-    let sound = |mode: &&modes::Mode| {
-        mode.hz.is_finite()
-            && mode.hz > 0.0
-            && loudest(&heard(mode)).is_finite()
-            && mode.shape.len() == points
-    };
-    let mut all: Vec<(Reached, f64)> = body
-        .modes
-        .iter()
-        .filter(sound)
-        .map(|mode| {
-            let normal: Vec<f32> = mode
-                .shape
-                .iter()
-                .zip(&body.line.normals)
-                .map(|(shape, normal)| {
-                    (0..3).map(|k| f64::from(shape[k]) * normal[k]).sum::<f64>() as f32
-                })
-                .collect();
-            let most = normal.iter().fold(0.0, |m: f32, v| m.max(v.abs()));
-            let reach = f64::from(most) * loudest(&heard(mode)) / mode.hz;
-            let mode = Reached {
-                hz: mode.hz,
-                ears: heard(mode),
-                piped: mode.pipe_ears,
-                air: [
-                    mode.radiation_per_s,
-                    mode.support_per_s,
-                    mode.pipe_per_s,
-                    mode.felt_per_s,
-                ]
-                .map(f64::from),
-                normal,
-            };
-            (mode, reach)
-        })
-        .collect();
-    let most = all.iter().fold(0.0, |m: f64, (_, reach)| m.max(*reach));
-    all.retain(|(_, reach)| *reach > UNREACHED * most);
-    all.sort_by(|(a, _), (b, _)| a.hz.total_cmp(&b.hz));
-    all.into_iter().map(|(mode, _)| mode).collect()
-}
-
-/// What `ears` make of y and x in units of `size`: left, right, and without a place.
-pub(super) fn gains_of(ears: &Ears, size: f64) -> [f64; 5] {
-    let [left, right] = ears.map(|ear| ear.map(|x| f64::from(x) / size));
-    let power: f64 = left.iter().chain(&right).map(|x| x * x).sum();
-    [left[0], left[1], right[0], right[1], (0.5 * power).sqrt()]
+impl Moved {
+    pub(crate) const NONE: Self = Self(0);
 }
 
 impl Body {
-    /// From a bank's body; `scale` takes Pa to full scale.
-    pub(crate) fn new(body: &modes::Body, step_s: f64, scale: f64) -> Self {
+    /// From a bank's body, with its modes at `first` among the packs of the instrument; `scale` takes
+    /// Pa to full scale.
+    pub(crate) fn new(body: &modes::Body, scale: f64, first: usize) -> Self {
         let modes = reached(body);
-        let hz: Vec<f64> = modes.iter().map(|mode| mode.hz).collect();
-        let omega: Vec<f64> = hz.iter().map(|hz| std::f64::consts::TAU * hz).collect();
-        let mut oscillators = Oscillators::new(modes.len());
-        let padded = oscillators.len();
+        let packs = modes.len().div_ceil(LANES);
         let points = body.line.len();
-        let mut normal = vec![0.0; points * padded];
-        let mut weight = vec![0.0; padded];
+        let mut tones = vec![Tone::NONE; packs];
+        let mut sources = vec![Source::SILENT; packs];
+        let mut normal = vec![0.0; points * packs * LANES];
         for (i, mode) in modes.iter().enumerate() {
-            let size = loudest(&mode.ears);
-            weight[i] = size * scale;
-            if size > 0.0 {
-                let hear = gains_of(&mode.ears, size);
-                for (gains, gain) in oscillators.hear.iter_mut().zip(hear) {
-                    gains[i] = gain;
-                }
+            let (pack, lane) = (i / LANES, i % LANES);
+            tones[pack].omega[lane] = std::f64::consts::TAU * mode.hz;
+            for (rates, rate) in tones[pack].rates.iter_mut().zip(mode.air) {
+                rates[lane] = rate;
             }
+            sources[pack].set(lane, mode, scale);
             for (point, value) in mode.normal.iter().enumerate() {
-                normal[point * padded + i] = *value;
+                normal[point * packs * LANES + i] = *value;
             }
         }
         Self {
             mass_kg: body.mass_kg,
-            contacts: 0,
             has_felt: modes.iter().any(|mode| mode.air[3] > 0.0),
-            rates: Rates::new(&hz, |i| modes[i].air, step_s),
-            uptake: uptake(&omega, step_s),
+            place: first..first + packs,
+            live: 0,
+            driven: false,
+            fading: false,
+            piped: usize::from(modes.iter().any(|mode| mode.is_piped())),
+            tones,
+            sources,
             normal,
             points,
-            weight,
-            inverse_omega_s: vec![0.0; padded],
+            mallets: std::array::from_fn(|_| Contact::new(packs)),
+            steps: vec![Step::STILL; packs],
+            substeps: 1,
             tuned: None,
-            resonator: Resonator::take_from(&mut oscillators, &modes),
-            oscillators,
+            heard: None,
         }
     }
 
-    /// Number of modes, with padding.
-    pub(crate) fn modes(&self) -> usize {
-        self.oscillators.len()
+    /// Packs that may be ringing, among those of the instrument.
+    pub(crate) fn ringing(&self) -> Range<usize> {
+        self.place.start..self.place.start + self.live
     }
 
-    /// Gives the modes these losses, if they have others.
-    pub(crate) fn tune(&mut self, kernel: Kernel, drain: Drain) {
-        let wanted = Some(drain);
-        if self.tuned != wanted {
-            kernel.run(Retune {
-                rates: &self.rates,
-                drain: &drain,
-                oscillators: &mut self.oscillators,
-                inverse_omega_s: &mut self.inverse_omega_s,
-            });
-            self.tuned = wanted;
+    /// Whether a mallet is on it.
+    pub(crate) fn is_touched(&self) -> bool {
+        self.mallets.iter().any(|mallet| mallet.touches)
+    }
+
+    /// Which packs are to be heard otherwise now.
+    pub(crate) fn moved(&self, hearing: &Hearing) -> Moved {
+        match &self.heard {
+            Some(heard) if heard == hearing => Moved::NONE,
+            Some(heard) if heard.without_pipe() == hearing.without_pipe() => Moved(self.piped),
+            _ => Moved(self.tones.len()),
+        }
+    }
+
+    /// Tunes the modes, if they are not tuned so or are to be heard otherwise.
+    pub(crate) fn tune(
+        &mut self,
+        kernel: Kernel,
+        packs: &mut [Pack],
+        tuned: Tuned,
+        hearing: &Hearing,
+        step_s: f64,
+    ) {
+        let Moved(moved) = self.moved(hearing);
+        for (tone, source) in self.tones.iter_mut().zip(&self.sources).take(moved) {
+            source.gains(hearing, &tone.omega, &mut tone.gain);
+        }
+        self.heard = Some(*hearing);
+        let pitch = self.tuned.is_none_or(|old| old.ratio != tuned.ratio);
+        let all = self.tuned != Some(tuned);
+        let count = if all { self.tones.len() } else { moved };
+        if count == 0 {
+            return;
+        }
+        kernel.run(Tune {
+            tones: &mut self.tones[..count],
+            packs: &mut packs[self.place.clone()][..count],
+            drain: tuned.drain,
+            ratio: pitch.then_some(tuned.ratio),
+            causes: self
+                .tuned
+                .is_none_or(|old| old.drain.shares() != tuned.drain.shares()),
+            step_s,
+        });
+        self.tuned = Some(tuned);
+        if moved > 0 {
+            self.listen(moved, self.live == 0);
+        }
+        if self.driven && all {
+            self.tune_steps(kernel, step_s);
+        }
+    }
+
+    fn tune_steps(&mut self, kernel: Kernel, sample_s: f64) {
+        kernel.run(TuneSteps {
+            tones: &self.tones,
+            steps: &mut self.steps,
+            ratio: self.tuned.map_or(1.0, |tuned| tuned.ratio),
+            sample_s,
+            substeps: self.substeps,
+        });
+    }
+
+    /// Takes the gains over to where the modes are pushed.
+    fn listen(&mut self, packs: usize, at_once: bool) {
+        for (step, tone) in self.steps.iter_mut().zip(&self.tones).take(packs) {
+            step.listen(tone, at_once);
         }
     }
 
     /// A mallet touches down at `position` on the line: every mode may ring from now on.
     ///
     /// A mode's sound goes with its acceleration, −ω² times its displacement while it rings; but what
-    /// a force F holds it out without moving it, Fφ/ω², is silent. `contact.still` is that part of
-    /// the displacement as the buses have it, for one newton.
-    pub(crate) fn strike(&mut self, position: f64, contact: &mut Contact) {
-        self.gains(position, &mut contact.gain);
-        let still = |hear: &Hear| {
-            [0, 2, 4].map(|bus| {
-                let modes = contact.gain.iter().zip(&self.inverse_omega_s);
-                let heard = modes.zip(&hear[bus]);
-                heard
-                    .map(|((gain, inverse), hear)| gain * inverse * hear)
-                    .sum()
-            })
-        };
-        let resonator = self.resonator.as_ref();
-        contact.still = [
-            still(&self.oscillators.hear),
-            resonator.map_or([0.0; 3], |resonator| still(resonator.hear())),
-        ];
-        self.contacts += 1;
-        self.oscillators.live = self.oscillators.len();
+    /// a force F holds it out without moving it, Fφ/ω², is silent. [`Contact::still`] is that part of
+    /// the displacement as it would be heard, for one newton.
+    pub(crate) fn strike(&mut self, kernel: Kernel, strike: &Strike, step_s: f64) {
+        let Strike {
+            mallet,
+            body_pa,
+            touch,
+            seed,
+        } = *strike;
+        let contact_s = mallet.contact_s(body_pa, self.mass_kg, touch.speed_m_s);
+        let wanted = (step_s * FOLLOWED_HZ.max(FOLLOWED / contact_s)).min(MOST_STEPS);
+        #[expect(clippy::cast_sign_loss, reason = "a time is not negative")]
+        let wanted = (wanted - 1e-6).ceil().max(1.0) as u32;
+        if !self.driven || wanted > self.substeps {
+            self.substeps = wanted;
+            self.tune_steps(kernel, step_s);
+        }
+        self.driven = true;
+        self.live = self.tones.len();
+        let slot = self.vacant();
+        let mobility = self.reach(touch.position, slot);
+        let contact = &mut self.mallets[slot];
+        contact.still = self
+            .tones
+            .iter()
+            .zip(&contact.reach)
+            .fold([0.0; 2], |still, (tone, reach)| {
+                [0, 1].map(|ear| still[ear] + held(tone, reach, ear))
+            });
+        contact.begin(&Blow {
+            mallet,
+            hertz: mallet
+                .hertz(body_pa)
+                .followed(step_s / f64::from(self.substeps) / contact_s),
+            body_kg: self.mass_kg,
+            mobility,
+            speed_m_s: touch.speed_m_s,
+            seed,
+        });
     }
 
-    /// What a unit impulse at `position` on the line adds to each mode's x (O'Brien 2002, Eq. 18
-    /// without its 2), weighted by what the mode sends out.
-    fn gains(&self, position: f64, gains: &mut [f64]) {
-        let modes = self.modes();
-        let gains = &mut gains[..modes];
-        gains.fill(0.0);
-        let stencil = Stencil::at(position, self.points);
-        for (k, share) in stencil.weights.into_iter().enumerate() {
-            let row = &self.normal[(stencil.first + k) * modes..][..modes];
-            for (gain, normal) in gains.iter_mut().zip(row) {
-                *gain += share * f64::from(*normal);
+    /// A place for a mallet: an empty one, or that of the mallet that is there no longer or longest.
+    fn vacant(&self) -> usize {
+        let mut best = 0;
+        for (i, mallet) in self.mallets.iter().enumerate() {
+            if !mallet.touches {
+                return i;
+            }
+            if mallet.rather_than(&self.mallets[best]) {
+                best = i;
             }
         }
-        for ((gain, weight), inverse) in gains
-            .iter_mut()
-            .zip(&self.weight)
-            .zip(&self.inverse_omega_s)
-        {
-            *gain *= weight * inverse;
+        best
+    }
+
+    /// Writes φ·n̂ at `position` for the mallet in `slot`; Σ(φ·n̂)² in 1/kg. Modes that are silent at
+    /// this sample rate do not count.
+    fn reach(&mut self, position: f64, slot: usize) -> f64 {
+        let reach = &mut self.mallets[slot].reach;
+        let width = reach.len() * LANES;
+        let stencil = Stencil::at(position, self.points);
+        let mut sum = 0.0;
+        for (pack, (reach, tone)) in reach.iter_mut().zip(&self.tones).enumerate() {
+            *reach = [0.0; LANES];
+            for (k, share) in stencil.weights.into_iter().enumerate() {
+                let row = &self.normal[(stencil.first + k) * width + pack * LANES..][..LANES];
+                for (reach, normal) in reach.iter_mut().zip(row) {
+                    *reach += share * f64::from(*normal);
+                }
+            }
+            for (lane, reach) in reach.iter_mut().enumerate() {
+                if tone.is_silent(lane) {
+                    *reach = 0.0;
+                }
+                sum += *reach * *reach;
+            }
         }
+        sum
     }
 
-    /// A mallet leaves.
-    pub(crate) fn left(&mut self) {
-        self.contacts -= 1;
-    }
-
-    /// An impulse at once, of a mallet that has to leave early.
-    pub(crate) fn kick(&mut self, gains: &[f64], impulse_n_s: f64) {
-        for (x, gain) in self.oscillators.x.iter_mut().zip(gains) {
-            *x += gain * impulse_n_s;
-        }
-    }
-
-    /// Writes the next samples to `out`.
-    pub(crate) fn ring(
+    /// Adds the next samples to `out`, which begin `phase` samples into a cell.
+    pub(crate) fn drive(
         &mut self,
         kernel: Kernel,
-        contacts: &mut [Contact],
-        key: u8,
-        span: Span,
-        out: &mut Buses,
+        packs: &mut [Pack],
+        phase: usize,
+        step_s: f64,
+        out: [&mut [f64]; 2],
     ) {
-        let samples = span.samples;
-        debug_assert!(samples <= GRID);
-        let push = Push {
-            contacts,
-            key,
-            uptake: &self.uptake,
-        };
-        let push = (self.contacts > 0).then_some(push);
-        let resonator = self.resonator.as_mut();
-        let piped = resonator.map(|r| r.ring(kernel, &self.oscillators, push, samples));
-        kernel.ring(&mut self.oscillators, push, samples, out);
-        if let Some(piped) = piped {
-            let [mut open, step] = span.open;
-            for n in 0..samples {
-                for (bus, piped) in out.iter_mut().zip(&piped) {
-                    bus[n] += open * piped[n];
-                }
-                open += step;
+        let cell = GRID as f64;
+        kernel.drive(Drive {
+            packs: &mut packs[self.place.clone()][..self.live],
+            steps: &self.steps[..self.live],
+            contacts: &mut self.mallets,
+            substeps: self.substeps,
+            step_s: step_s / f64::from(self.substeps),
+            fade: self.fading.then_some([phase as f64 / cell, 1.0 / cell]),
+            out,
+        });
+    }
+
+    /// Takes the mallets away that have left for good; whether it then rings freely from here on.
+    pub(crate) fn part(&mut self, packs: &[Pack]) -> bool {
+        if !self.driven {
+            return false;
+        }
+        let packs = &packs[self.place.clone()];
+        for i in 0..MALLETS {
+            if self.mallets[i].touches && self.mallets[i].is_over(self.swing_m(i, packs)) {
+                self.mallets[i].lift();
             }
         }
-        if self.contacts > 0 {
-            for contact in contacts.iter_mut().filter(|c| c.key == Some(key)) {
-                contact.press(span, out);
+        let free = !self.is_touched();
+        if free {
+            self.driven = false;
+        }
+        free
+    }
+
+    /// Bound on how far the surface swings under a mallet, in m.
+    fn swing_m(&self, mallet: usize, packs: &[Pack]) -> f64 {
+        let reach = &self.mallets[mallet].reach;
+        let mut sum = 0.0;
+        for ((reach, tone), pack) in reach.iter().zip(&self.tones).zip(packs) {
+            for i in 0..LANES {
+                sum += reach[i].abs() * pack.x[i].abs().max(pack.y[i].abs()) / tone.omega[i];
             }
+        }
+        1.5 * sum
+    }
+
+    /// Hands no longer press mallets on.
+    pub(crate) fn let_go(&mut self) {
+        for mallet in &mut self.mallets {
+            mallet.let_go();
         }
     }
 
     /// Stops what is no longer heard; whether anything is left.
-    pub(crate) fn settle(&mut self) -> bool {
-        if self.contacts > 0 {
+    pub(crate) fn settle(&mut self, packs: &mut [Pack]) -> bool {
+        if self.driven {
             return true;
         }
-        self.oscillators.cull(FLOOR);
-        self.oscillators.live > 0
+        let mut live = 0;
+        let packs = packs[self.place.clone()].iter_mut().zip(&self.sources);
+        for (number, (pack, source)) in packs.take(self.live).enumerate() {
+            let mut left = false;
+            for i in 0..LANES {
+                let size = pack.x[i] * pack.x[i] + pack.y[i] * pack.y[i];
+                let weight = f64::from(source.weight[i]);
+                if size * weight * weight < FLOOR * FLOOR {
+                    (pack.x[i], pack.y[i]) = (0.0, 0.0);
+                } else {
+                    left = true;
+                }
+            }
+            if left {
+                live = number + 1;
+            }
+        }
+        self.live = live;
+        live > 0
     }
 
     /// Stops everything.
-    pub(crate) fn hush(&mut self) {
-        self.oscillators.hush();
-        self.contacts = 0;
+    pub(crate) fn hush(&mut self, packs: &mut [Pack]) {
+        for pack in &mut packs[self.place.clone()] {
+            pack.hush();
+        }
+        for mallet in &mut self.mallets {
+            mallet.lift();
+        }
+        self.live = 0;
+        self.driven = false;
     }
+
+    /// Back to the start of the cell that it has rung freely to the end of, to move sample by sample
+    /// from there on.
+    pub(crate) fn rewind(&mut self, kernel: Kernel, packs: &mut [Pack], step_s: f64) {
+        for pack in &mut packs[self.ringing()] {
+            pack.rewind();
+        }
+        self.substeps = 1;
+        self.tune_steps(kernel, step_s);
+    }
+
+    /// One of the mallets on it.
+    #[cfg(test)]
+    pub(crate) fn contact(&self, number: usize) -> &Contact {
+        &self.mallets[number]
+    }
+
+    /// What each mode sounds like now.
+    pub(crate) fn sounds(&self, packs: &[Pack]) -> impl Iterator<Item = Sound> {
+        let packs = &packs[self.place.clone()];
+        let modes = packs.iter().zip(&self.tones);
+        modes.flat_map(|(pack, tone)| {
+            (0..LANES).map(|i| {
+                let energy = pack.x[i] * pack.x[i] + pack.y[i] * pack.y[i];
+                let gains = tone.gain.iter().flatten().map(|gain| f64::from(gain[i]));
+                Sound {
+                    omega: tone.omega[i],
+                    decay_per_s: f64::from(tone.decay[i]),
+                    power: energy * gains.map(|gain| gain * gain).sum::<f64>(),
+                }
+            })
+        })
+    }
+}
+
+/// What a mode sounds like.
+pub(crate) struct Sound {
+    /// Angular frequency, in rad/s.
+    pub(crate) omega: f64,
+    /// Decay rate, in 1/s.
+    pub(crate) decay_per_s: f64,
+    /// Square of its amplitude, sum of both ears.
+    pub(crate) power: f64,
+}
+
+/// What one newton at `reach` holds out of the modes of `tone`, as `ear` would hear it.
+fn held(tone: &Tone, reach: &[f64; LANES], ear: usize) -> f64 {
+    (0..LANES)
+        .map(|i| reach[i] * f64::from(tone.gain[ear][1][i]) / tone.omega[i])
+        .sum()
 }

@@ -1,154 +1,198 @@
-//! Mallets that are on a body now.
+//! A mallet that is on a body now.
 
-use super::GRID;
-use super::bessel::ORDERS;
-use super::body::Span;
-use super::oscillators::Buses;
-use super::pulse::Pulse;
+#[cfg(test)]
+mod tests;
+
+use super::hertz::Hertz;
+use super::mallet::Mallet;
+use super::oscillators::LANES;
+
+/// Longest that a mallet stays, in s: then the hand takes it away.
+const LONGEST_S: f64 = 0.25;
 
 /// One mallet on one body.
+///
+/// The body moves as its modes do, and as a whole. The mallet's speed and the body's change by what
+/// [`Hertz::step`] gives, so that contact time, second bounces and the energy that a soft head takes
+/// out of a ringing body follow by themselves.
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
-    /// The body's key; none when the slot is free.
-    pub(crate) key: Option<u8>,
-    /// The force.
-    pub(crate) pulse: Pulse,
-    /// What a unit impulse adds to the x of each of the body's modes.
-    pub(crate) gain: Vec<f64>,
-    /// What one newton takes off the buses, from the body itself and from its open resonator: see
-    /// [`super::body::Body::strike`].
-    pub(crate) still: [[f64; 3]; 2],
-    /// Legendre moments of the force over the samples being rendered, by order.
-    pub(crate) moments: [[f64; GRID]; ORDERS],
-    elapsed: u32,
-    given_n_s: f64,
-    /// Impulse of the sample before the next one, in N·s.
+    /// Whether the mallet is there.
+    pub(crate) touches: bool,
+    /// φ·n̂ of each mode where the mallet touches, in kg^(−1/2).
+    pub(crate) reach: Vec<[f64; LANES]>,
+    /// What one newton takes off each ear: see [`super::body::Body::strike`].
+    pub(crate) still: [f64; 2],
+    hertz: Hertz,
+    mass_kg: f64,
+    body_kg: f64,
+    /// Speed towards the body of the mallet, and of the body as a whole, in m/s.
+    speed_m_s: f64,
+    body_m_s: f64,
+    /// Compression of head and surface; a gap when below zero.
+    depth_m: f64,
+    /// Closing speed before the last step, in m/s.
+    closing_m_s: f64,
+    /// Change of closing speed by 1 N·s, in 1/kg.
+    mobility: f64,
+    /// Force of the hand that presses on, in N.
+    hand_n: f64,
+    roughness: Roughness,
+    impulse_n_s: f64,
+    /// Impulse of the sample before.
     last_n_s: f64,
+    age_s: f64,
+}
+
+/// What a blow is made of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Blow {
+    /// The mallet.
+    pub(crate) mallet: Mallet,
+    /// The force law of its head and the surface.
+    pub(crate) hertz: Hertz,
+    /// Mass of the body, in kg.
+    pub(crate) body_kg: f64,
+    /// Σ(φ·n̂)² over the modes, in 1/kg.
+    pub(crate) mobility: f64,
+    /// Impact speed, in m/s.
+    pub(crate) speed_m_s: f64,
+    /// Seed of the surface's roughness.
+    pub(crate) seed: u64,
 }
 
 impl Contact {
-    /// A free slot for bodies of up to `modes` modes, padded.
-    pub(crate) fn new(modes: usize) -> Self {
+    /// Nothing, on a body of `packs` packs of modes.
+    pub(crate) fn new(packs: usize) -> Self {
         Self {
-            key: None,
-            pulse: Pulse {
-                impulse_n_s: 0.0,
-                duration_s: 1.0,
-            },
-            gain: vec![0.0; modes.next_multiple_of(super::oscillators::LANES)],
-            still: [[0.0; 3]; 2],
-            moments: [[0.0; GRID]; ORDERS],
-            elapsed: 0,
-            given_n_s: 0.0,
+            touches: false,
+            reach: vec![[0.0; LANES]; packs],
+            still: [0.0; 2],
+            hertz: Hertz::default(),
+            mass_kg: 1.0,
+            body_kg: 1.0,
+            speed_m_s: 0.0,
+            body_m_s: 0.0,
+            depth_m: 0.0,
+            closing_m_s: 0.0,
+            mobility: 1.0,
+            hand_n: 0.0,
+            roughness: Roughness::default(),
+            impulse_n_s: 0.0,
             last_n_s: 0.0,
+            age_s: 0.0,
         }
     }
 
-    /// Begins a contact; the caller fills in the gains.
-    pub(crate) fn begin(&mut self, key: u8, pulse: Pulse) {
-        self.key = Some(key);
-        self.pulse = pulse;
-        self.elapsed = 0;
-        self.given_n_s = 0.0;
-        self.last_n_s = 0.0;
-    }
-
-    /// Works out the moments of the next `samples` samples of `step_s` and counts them as gone by.
-    #[inline(always)]
-    pub(crate) fn prepare(&mut self, samples: usize, step_s: f64) {
-        for n in 0..samples {
-            let moments = self.pulse.moments(f64::from(self.elapsed) * step_s, step_s);
-            for (order, moment) in self.moments.iter_mut().zip(moments) {
-                order[n] = moment;
-            }
-            self.given_n_s += moments[0];
-            self.elapsed += 1;
-        }
-    }
-
-    /// Takes what the force holds without moving off `buses`, whose samples are those of the last
-    /// [`Self::prepare`].
-    pub(crate) fn press(&mut self, span: Span, buses: &mut Buses) {
-        let [mut open, step] = span.open;
-        for n in 0..span.samples {
-            // The mean force about the instant of a sample: half of the one before it, half of it.
-            let force_n = 0.5 * (self.last_n_s + self.moments[0][n]) / span.step_s;
-            self.last_n_s = self.moments[0][n];
-            for (k, bus) in buses.iter_mut().enumerate() {
-                bus[n] -= force_n * (self.still[0][k] + open * self.still[1][k]);
-            }
-            open += step;
-        }
-    }
-
-    /// Whether the mallet has left.
-    pub(crate) fn is_over(&self, step_s: f64) -> bool {
-        f64::from(self.elapsed) * step_s >= self.pulse.duration_s && self.last_n_s == 0.0
-    }
-
-    /// Impulse still to come, in N·s.
-    pub(crate) fn left_n_s(&self) -> f64 {
-        self.pulse.impulse_n_s - self.given_n_s
-    }
-}
-
-/// The moments of all contacts for the next samples, as a task for a kernel.
-pub(crate) struct Prepare<'a> {
-    pub(crate) contacts: &'a mut [Contact],
-    pub(crate) samples: usize,
-    pub(crate) step_s: f64,
-}
-
-impl pulp::WithSimd for Prepare<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        for contact in self.contacts.iter_mut().filter(|c| c.key.is_some()) {
-            contact.prepare(self.samples, self.step_s);
-        }
-    }
-}
-
-/// The slot for a new contact: a free one, or else the one with the least impulse left.
-pub(crate) fn slot_for_next(contacts: &[Contact]) -> usize {
-    let left = |contact: &Contact| {
-        contact
-            .key
-            .map_or(f64::NEG_INFINITY, |_| contact.left_n_s())
-    };
-    let mut best = 0;
-    for (i, contact) in contacts.iter().enumerate() {
-        if left(contact) < left(&contacts[best]) {
-            best = i;
-        }
-    }
-    best
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Contact, GRID, slot_for_next};
-    use crate::engine::pulse::Pulse;
-
-    #[test]
-    fn the_most_spent_contact_gives_way() {
-        let mut contacts = vec![Contact::new(1); 3];
-        let pulse = Pulse {
-            impulse_n_s: 0.1,
-            duration_s: 2e-3,
+    /// A mallet touches down; where, `reach` and `still` must say already.
+    pub(crate) fn begin(&mut self, blow: &Blow) {
+        let mallet = &blow.mallet;
+        self.touches = true;
+        self.hertz = blow.hertz;
+        self.mass_kg = mallet.mass_kg;
+        self.body_kg = blow.body_kg;
+        self.speed_m_s = blow.speed_m_s;
+        self.body_m_s = 0.0;
+        self.depth_m = 0.0;
+        self.closing_m_s = blow.speed_m_s;
+        self.mobility = 1.0 / mallet.mass_kg + 1.0 / blow.body_kg + blow.mobility;
+        self.hand_n = mallet.press_n;
+        self.roughness = Roughness {
+            share: mallet.roughness,
+            state: blow.seed | 1,
         };
-        for slot in [0, 1, 2] {
-            assert_eq!(slot_for_next(&contacts), slot);
-            contacts[slot].begin(60, pulse);
+        self.impulse_n_s = 0.0;
+        self.last_n_s = 0.0;
+        self.age_s = 0.0;
+    }
+
+    /// A step of `step_s` against a surface whose modes move at `surface_m_s`: the impulse that they
+    /// get, in N·s.
+    #[inline(always)]
+    pub(crate) fn meet(&mut self, surface_m_s: f64, step_s: f64) -> f64 {
+        self.speed_m_s += self.hand_n * step_s / self.mass_kg;
+        let closing = self.speed_m_s - self.body_m_s - surface_m_s;
+        self.closing_m_s = closing;
+        let push = self
+            .hertz
+            .step(self.depth_m, closing, self.mobility, step_s);
+        let mut impulse = push.impulse_n_s;
+        self.depth_m = push.depth_m;
+        if impulse > 0.0 && self.roughness.share > 0.0 {
+            let most = (2.0 * closing / self.mobility).max(0.0);
+            impulse = self.roughness.alter(impulse, closing, most);
+            let mean = closing - 0.5 * self.mobility * impulse;
+            self.depth_m += step_s * (mean - (closing - 0.5 * self.mobility * push.impulse_n_s));
         }
-        contacts[1].prepare(GRID, 1.0 / 48_000.0);
-        assert_eq!(slot_for_next(&contacts), 1);
-        assert!(!contacts[1].is_over(1.0 / 48_000.0));
-        for _ in 0..2 {
-            contacts[1].prepare(GRID, 1.0 / 48_000.0);
+        self.speed_m_s -= impulse / self.mass_kg;
+        self.body_m_s += impulse / self.body_kg;
+        self.impulse_n_s += impulse;
+        self.age_s += step_s;
+        impulse
+    }
+
+    /// Whether head and surface touch, or may within the next sample.
+    #[inline(always)]
+    pub(crate) fn is_near(&self, sample_s: f64) -> bool {
+        self.depth_m > -4.0 * self.closing_m_s.abs() * sample_s - 1e-7
+    }
+
+    /// Mean force about the instant of a sample that has just gone by, in N: half of the sample
+    /// before it, half of it.
+    #[inline(always)]
+    pub(crate) fn force_n(&mut self, sample_s: f64) -> f64 {
+        let force = 0.5 * (self.last_n_s + self.impulse_n_s) / sample_s;
+        self.last_n_s = self.impulse_n_s;
+        self.impulse_n_s = 0.0;
+        force
+    }
+
+    /// Whether the mallet has left for good a surface that swings by no more than `swing_m`.
+    pub(crate) fn is_over(&self, swing_m: f64) -> bool {
+        let away = self.body_m_s > self.speed_m_s && self.hand_n == 0.0;
+        let clear = away && self.depth_m < -2.0 * swing_m;
+        self.last_n_s == 0.0 && clear || self.age_s > LONGEST_S
+    }
+
+    /// Whether the mallet moves away, or has been there longer than `other`: the one to give way.
+    pub(crate) fn rather_than(&self, other: &Self) -> bool {
+        (self.depth_m < 0.0, self.age_s) > (other.depth_m < 0.0, other.age_s)
+    }
+
+    /// The hand takes the mallet away.
+    pub(crate) fn lift(&mut self) {
+        self.touches = false;
+    }
+
+    /// The hand no longer presses.
+    pub(crate) fn let_go(&mut self) {
+        self.hand_n = 0.0;
+    }
+}
+
+/// Grains of head and surface that give way while they are pressed and do not spring back: noise for as
+/// long as there is contact, that only takes energy.
+#[derive(Clone, Copy, Debug, Default)]
+struct Roughness {
+    /// Greatest share of the force that comes or goes, 0…1.
+    share: f64,
+    state: u64,
+}
+
+impl Roughness {
+    /// More than the smooth force while head and body close in, though no more than `most`, which
+    /// would stop them; less than it while they part.
+    #[inline(always)]
+    fn alter(&mut self, impulse: f64, closing: f64, most: f64) -> f64 {
+        // Marsaglia's xorshift (J. Stat. Softw. 8, 2003).
+        self.state ^= self.state << 13;
+        self.state ^= self.state >> 7;
+        self.state ^= self.state << 17;
+        let chance = self.share * ((self.state >> 11) as f64 / (1u64 << 53) as f64);
+        if closing <= 0.0 {
+            impulse * (1.0 - chance)
+        } else {
+            (impulse * (1.0 + chance)).min(most.max(impulse))
         }
-        assert!(contacts[1].is_over(1.0 / 48_000.0));
-        assert!(contacts[1].left_n_s().abs() < 1e-9);
     }
 }

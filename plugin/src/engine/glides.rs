@@ -121,9 +121,13 @@ impl Glides {
         }
     }
 
-    /// Gain of the stereo buses and of the one without places.
-    pub(super) fn mix(&self) -> [f64; 2] {
-        let (gain, width) = (self.gain.value(), self.width.value());
-        [gain * width, gain * (1.0 - width)]
+    /// Output gain.
+    pub(super) fn gain(&self) -> f64 {
+        self.gain.value()
+    }
+
+    /// Stereo width, 0…1.
+    pub(super) fn width(&self) -> f64 {
+        self.width.value()
     }
 }

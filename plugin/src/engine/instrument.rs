@@ -1,15 +1,16 @@
 //! A body for each key, and their mix.
 
-use super::body::{Body, Span};
-use super::contact::{Contact, Prepare, slot_for_next};
+use super::body::{Body, Moved, Strike, Tuned};
+use super::cell::Cell;
 use super::damper::{Damper, bit};
 use super::glides::Glides;
 use super::level::full_scales;
 use super::losses::Drain;
-use super::mallet::{Mallet, contact_modulus_pa};
+use super::mallet::contact_modulus_pa;
 use super::motor::Motor;
-use super::oscillators::{Buses, Kernel};
-use super::touch::{Touch, chance};
+use super::oscillators::{Kernel, Pack, Vectors};
+use super::source::Hearing;
+use super::touch::{Touch, chance, grain};
 use super::{GRID, Settings};
 use modes::{Bank, Damping, Stencil};
 
@@ -17,8 +18,8 @@ use modes::{Bank, Damping, Stencil};
 /// the sum of the modes, bit for bit.
 pub const OUTPUT_BOUND: f32 = 64.0;
 
-/// Mallets that can be on bodies at the same time.
-const CONTACTS: usize = 128;
+/// Cells of the grid between two looks at whether a body still sounds.
+const LOOKS: u64 = 8;
 
 /// Sample rates there are coefficients for, in Hz.
 const RATES_HZ: (f64, f64) = (1e3, 768e3);
@@ -29,19 +30,23 @@ const RATES_HZ: (f64, f64) = (1e3, 768e3);
 /// [`Engine::process`] cut the time.
 pub struct Engine {
     bodies: Vec<Option<Body>>,
+    /// The modes of all bodies.
+    packs: Vec<Pack>,
     /// What the material of the bodies takes by itself.
     own: Damping,
     /// E/(1 − ν²) of that material, in Pa.
     modulus_pa: f64,
-    contacts: Vec<Contact>,
-    on_bodies: usize,
     awake: u128,
+    /// Bodies that something pushes.
+    driven: u128,
     damper: Damper,
     settings: Settings,
     glides: Glides,
     motor: Motor,
-    /// Gains of the stereo buses and of the plain one, at the last grid point and at the next.
-    mix: [[f64; 2]; 2],
+    /// What rings freely in this cell of the grid.
+    cell: Cell,
+    /// Output gain at the start of the cell and at its end.
+    gain: [f64; 2],
     kernel: Kernel,
     step_s: f64,
     position: u64,
@@ -76,7 +81,14 @@ impl Engine {
     /// of at least [`Stencil::POINTS`] points, or for no MIDI key, are left out.
     #[must_use]
     pub fn new(bank: &Bank, sample_rate_hz: f64) -> Self {
+        Self::with_vectors(bank, sample_rate_hz, Vectors::Widest)
+    }
+
+    /// The same, computed with no wider vectors than `vectors`.
+    #[must_use]
+    pub fn with_vectors(bank: &Bank, sample_rate_hz: f64, vectors: Vectors) -> Self {
         let step_s = 1.0 / sample_rate_hz.max(RATES_HZ.0).min(RATES_HZ.1);
+        let kernel = Kernel::new(vectors);
         let mut bodies: Vec<Option<Body>> = vec![None; 128];
         let usable: Vec<&modes::Body> = bank
             .bodies
@@ -88,25 +100,28 @@ impl Engine {
                     && body.mass_kg > 0.0
             })
             .collect();
+        let mut packs = 0;
         for (body, scale) in usable.iter().zip(full_scales(bank, &usable)) {
-            bodies[usize::from(body.key)] = Some(Body::new(body, step_s, scale));
+            let made = Body::new(body, scale, packs);
+            packs = made.place.end;
+            bodies[usize::from(body.key)] = Some(made);
         }
-        let most = bodies.iter().flatten().map(Body::modes).max().unwrap_or(0);
         let settings = Settings::default();
         let glides = Glides::new(&settings, step_s);
         Self {
             bodies,
+            packs: vec![Pack::STILL; packs],
             own: bank.damping,
             modulus_pa: contact_modulus_pa(&bank.material),
-            contacts: vec![Contact::new(most); CONTACTS],
-            on_bodies: 0,
             awake: 0,
+            driven: 0,
             damper: Damper::default(),
-            mix: [glides.mix(); 2],
+            gain: [glides.gain(); 2],
             motor: Motor::new(),
+            cell: Cell::new(packs),
             glides,
             settings,
-            kernel: Kernel::detect(),
+            kernel,
             step_s,
             position: 0,
         }
@@ -115,16 +130,14 @@ impl Engine {
     /// Back to silence and to the start of the song; settings stay.
     pub fn reset(&mut self) {
         for body in self.bodies.iter_mut().flatten() {
-            body.hush();
+            body.hush(&mut self.packs);
         }
-        for contact in &mut self.contacts {
-            contact.key = None;
-        }
-        self.on_bodies = 0;
         self.awake = 0;
+        self.driven = 0;
         self.damper = Damper::default();
         self.position = 0;
         self.motor = Motor::new();
+        self.cell.close();
         self.arrive();
     }
 
@@ -146,29 +159,47 @@ impl Engine {
             self.arrive();
         }
         self.damper.press(key);
-        let touch = Touch::new(&self.settings, velocity, chance(key, self.position));
-        let mallet = Mallet::new(self.settings.hardness_pa, self.modulus_pa);
-        let slot = self.vacate_slot();
+        let strike = Strike {
+            mallet: self.settings.mallet,
+            body_pa: self.modulus_pa,
+            touch: Touch::new(&self.settings, velocity, chance(key, self.position)),
+            seed: grain(key, self.position),
+        };
+        self.wake(key);
+        if let Some(body) = self.bodies[usize::from(key)].as_mut() {
+            body.strike(self.kernel, &strike, self.step_s);
+        }
+        self.driven |= bit(key);
+        true
+    }
+
+    /// Makes a body ready to be pushed from here on.
+    fn wake(&mut self, key: u8) {
+        let (tuned, hearing) = (self.tuned(key), self.hearing());
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
-            return false;
+            return;
         };
         if self.awake & bit(key) == 0 {
             self.awake |= bit(key);
-            body.tune(
-                self.kernel,
-                self.glides.drain(&self.own, self.motor.taken()),
-            );
+            body.fading = false;
+            body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s);
+        } else if self.driven & bit(key) == 0 {
+            let phase = (self.position % GRID as u64) as usize;
+            self.cell
+                .take_out(self.kernel, body, &mut self.packs, phase, self.step_s);
         }
-        let contact = &mut self.contacts[slot];
-        contact.begin(key, mallet.pulse(body.mass_kg, touch.speed_m_s));
-        body.strike(touch.position, contact);
-        self.on_bodies += 1;
-        true
     }
 
     /// A key comes up; its body rings on unless the settings say that it is damped.
     pub fn release(&mut self, key: u8) {
         self.damper.release(key);
+        if let Some(body) = self
+            .bodies
+            .get_mut(usize::from(key))
+            .and_then(Option::as_mut)
+        {
+            body.let_go();
+        }
     }
 
     /// The sustain pedal holds released bodies undamped.
@@ -208,6 +239,9 @@ impl Engine {
                 &mut right[done..done + run],
             );
             self.position += run as u64;
+            if phase + run == GRID {
+                self.cell.close();
+            }
             done += run;
         }
     }
@@ -221,24 +255,34 @@ impl Engine {
         for glide in self.glides.each() {
             glide.snap();
         }
-        self.mix = [self.glides.mix(); 2];
+        self.gain = [self.glides.gain(); 2];
     }
 
-    /// A slot for a contact; if there is none, a mallet gives the rest of its impulse at once.
-    fn vacate_slot(&mut self) -> usize {
-        let slot = slot_for_next(&self.contacts);
-        let contact = &mut self.contacts[slot];
-        if let Some(key) = contact.key.take()
-            && let Some(body) = self.bodies[usize::from(key)].as_mut()
-        {
-            body.kick(&contact.gain, contact.left_n_s());
-            body.left();
-            self.on_bodies -= 1;
+    /// What the modes of a key's body are tuned to now.
+    fn tuned(&self, key: u8) -> Tuned {
+        let drain = self.glides.drain(&self.own, self.motor.taken());
+        let has_felt = self.body(key).is_some_and(|body| body.has_felt);
+        let on = self.damper.on(key, self.settings.note_off_damps, has_felt);
+        Tuned {
+            drain: Drain {
+                felt: on.felt,
+                hand_per_s: on.hand_per_s,
+                ..drain
+            },
+            ratio: 1.0,
         }
-        slot
     }
 
-    /// What is looked at on the grid only.
+    /// How bodies are heard at the end of this cell.
+    fn hearing(&self) -> Hearing {
+        Hearing {
+            open: self.motor.open(),
+            width: self.glides.width(),
+            ..Hearing::AS_BUILT
+        }
+    }
+
+    /// What is looked at on the grid only; then what rings freely sounds for a cell.
     fn look(&mut self) {
         if self.awake == 0 {
             self.arrive();
@@ -249,46 +293,44 @@ impl Engine {
             glide.advance();
         }
         self.motor.advance(&self.glides.discs(), self.step_s);
-        self.mix = [self.mix[1], self.glides.mix()];
-        self.lift_mallets();
-        let drain = self.glides.drain(&self.own, self.motor.taken());
+        self.gain = [self.gain[1], self.glides.gain()];
+        self.rest();
+        self.cell.begin();
+        let hearing = self.hearing();
+        for key in keys(self.awake & !self.driven) {
+            if let Some(body) = &self.bodies[usize::from(key)] {
+                self.cell.leave(body, body.moved(&hearing));
+            }
+        }
+        self.cell.ring_left(self.kernel, &mut self.packs);
         for key in keys(self.awake) {
-            let slot = usize::from(key);
-            let Some(body) = self.bodies[slot].as_mut() else {
+            let tuned = self.tuned(key);
+            let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            let dampers = self
-                .damper
-                .on(key, self.settings.note_off_damps, body.has_felt);
-            body.tune(
-                self.kernel,
-                Drain {
-                    felt: dampers.felt,
-                    hand_per_s: dampers.hand_per_s,
-                    ..drain
-                },
-            );
-            if !body.settle() {
-                body.hush();
-                self.awake &= !bit(key);
+            let moved = body.moved(&hearing);
+            body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s);
+            body.fading = moved != Moved::NONE;
+            if !body.driven {
+                self.cell.enter(body, moved);
             }
         }
+        self.cell.ring_entered(self.kernel, &mut self.packs);
     }
 
-    /// Frees the contacts that are over.
-    fn lift_mallets(&mut self) {
-        if self.on_bodies == 0 {
-            return;
-        }
-        for contact in &mut self.contacts {
-            if !contact.is_over(self.step_s) {
+    /// Takes mallets away that have left, and lets bodies sleep that no longer sound.
+    fn rest(&mut self) {
+        let look = self.position / GRID as u64;
+        for key in keys(self.awake) {
+            let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
+            };
+            if body.part(&self.packs) {
+                self.driven &= !bit(key);
             }
-            if let Some(key) = contact.key.take()
-                && let Some(body) = self.bodies[usize::from(key)].as_mut()
-            {
-                body.left();
-                self.on_bodies -= 1;
+            if (look + u64::from(key)).is_multiple_of(LOOKS) && !body.settle(&mut self.packs) {
+                body.hush(&mut self.packs);
+                self.awake &= !bit(key);
             }
         }
     }
@@ -301,37 +343,21 @@ impl Engine {
             return;
         }
         let run = left.len();
-        if self.on_bodies > 0 {
-            self.kernel.run(Prepare {
-                contacts: &mut self.contacts,
-                samples: run,
-                step_s: self.step_s,
-            });
-        }
-        let (mut all, mut one): (Buses, Buses) = ([[0.0; GRID]; 3], [[0.0; GRID]; 3]);
-        for key in keys(self.awake) {
+        let mut buses = self.cell.heard(phase, run);
+        for key in keys(self.driven) {
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            let open = self.motor.open(phase);
-            let span = Span {
-                samples: run,
-                step_s: self.step_s,
-                open,
-            };
-            body.ring(self.kernel, &mut self.contacts, key, span, &mut one);
-            for (all, one) in all.iter_mut().zip(&one) {
-                for (sum, sample) in all[..run].iter_mut().zip(one) {
-                    *sum += sample;
-                }
-            }
+            let [left, right] = &mut buses;
+            let out = [&mut left[..run], &mut right[..run]];
+            body.drive(self.kernel, &mut self.packs, phase, self.step_s, out);
         }
-        let [from, to] = self.mix;
+        let [from, to] = self.gain;
         for n in 0..run {
             let share = (phase + n) as f64 / GRID as f64;
-            let [wide, plain] = [0, 1].map(|k| from[k] + (to[k] - from[k]) * share);
-            left[n] = finish(wide * all[0][n] + plain * all[2][n]);
-            right[n] = finish(wide * all[1][n] + plain * all[2][n]);
+            let gain = from + (to - from) * share;
+            left[n] = finish(gain * buses[0][n]);
+            right[n] = finish(gain * buses[1][n]);
         }
     }
 }

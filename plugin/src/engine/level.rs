@@ -1,14 +1,12 @@
 //! How loud: from Pa to full scale, key by key, once for an instrument.
 
-use super::GRID;
-use super::body::{Span, heard};
-use super::contact::Contact;
-use super::mallet::{Mallet, contact_modulus_pa};
-use super::oscillators::Kernel;
-use super::pulse::Pulse;
+use super::body::{Body, Strike, Tuned};
+use super::mallet::contact_modulus_pa;
+use super::oscillators::{Kernel, Pack, Vectors};
+use super::source::Hearing;
 use super::touch::Touch;
-use super::{Losses, Settings};
-use modes::{Bank, Body, Mode, Motion, Stencil};
+use super::{GRID, Losses, Settings};
+use modes::Bank;
 use std::f64::consts::TAU;
 
 /// Velocity of the strike by which bodies are made equally loud.
@@ -28,28 +26,24 @@ const PEAK_DB: f64 = -15.0;
 /// How finely and how long a blow is looked at for its peak: at no host's rate, so that the level
 /// does not depend on it.
 const LOOK_HZ: f64 = 96_000.0;
-const LOOK_SAMPLES: usize = 960;
+const LOOK_CELLS: usize = 30;
 
-/// A mode after a blow.
-struct Ringing {
-    hz: f64,
-    decay_per_s: f64,
-    /// Σ|p|² over both ears, in Pa².
-    power: f64,
-}
+/// Cells within which a mallet has left, if it ever does.
+const CONTACT_CELLS: usize = 300;
 
 /// Factors from Pa to full scale for `bodies` of `bank`.
 ///
-/// Every body is struck once with default settings; its modes' closed form gives its loudness and
-/// the engine its peak. All are made equally loud but for those whose hardest blow would then peak
+/// Every body is struck with default settings, once by [`VELOCITY`] for its loudness and once as hard as
+/// can be for its peak. All are made equally loud but for those whose hardest blow would then peak
 /// above [`PEAK_DB`]: these are turned down to it. 1 for a body that does not sound.
-pub(crate) fn full_scales(bank: &Bank, bodies: &[&Body]) -> Vec<f64> {
+pub(crate) fn full_scales(bank: &Bank, bodies: &[&modes::Body]) -> Vec<f64> {
     let [target, limit] = [LOUDNESS_DB, PEAK_DB].map(|db| 10f64.powf(db / 20.0));
     bodies
         .iter()
         .map(|body| {
-            let loud = target / loudness_pa(&struck(bank, body));
-            let scale = loud.min(limit / peak_pa(bank, body));
+            let mut trial = Trial::new(bank, body);
+            let loud = target / trial.loudness_pa();
+            let scale = loud.min(limit / trial.peak_pa());
             if scale > 0.0 && scale.is_finite() {
                 scale
             } else {
@@ -59,58 +53,99 @@ pub(crate) fn full_scales(bank: &Bank, bodies: &[&Body]) -> Vec<f64> {
         .collect()
 }
 
-/// Where a blow of `velocity` 0…1 with default settings lands, and its force.
-fn blow(bank: &Bank, body: &Body, velocity: f32) -> (f64, Pulse) {
-    let settings = Settings::default();
-    let touch = Touch::new(&settings, velocity, 0.0);
-    let mallet = Mallet::new(settings.hardness_pa, contact_modulus_pa(&bank.material));
-    (touch.position, mallet.pulse(body.mass_kg, touch.speed_m_s))
+/// One body, struck to hear how loud it is.
+struct Trial {
+    kernel: Kernel,
+    body: Body,
+    packs: Vec<Pack>,
+    body_pa: f64,
+    tuned: Tuned,
 }
 
-/// The modes of `body` after a blow of [`VELOCITY`].
-fn struck(bank: &Bank, body: &Body) -> Vec<Ringing> {
-    let (position, pulse) = blow(bank, body, VELOCITY);
-    let stencil = Stencil::at(position, body.line.len());
-    let fits = |mode: &&Mode| mode.shape.len() == body.line.len();
-    body.modes
-        .iter()
-        .filter(fits)
-        .filter_map(|mode| {
-            let decay_per_s = mode.decay_per_s(&bank.damping);
-            let Motion::Ringing { hz, decay_per_s } = Motion::of(mode.hz, decay_per_s) else {
-                return None;
-            };
-            let normal = body.line.normal_motion(&mode.shape, &stencil);
-            let amplitude = normal * pulse.spectrum_n_s(TAU * hz) / (TAU * hz);
-            Some(Ringing {
-                hz,
-                decay_per_s,
-                power: heard(mode)
-                    .iter()
-                    .flatten()
-                    .map(|x| (amplitude * f64::from(*x)).powi(2))
-                    .sum(),
+impl Trial {
+    fn new(bank: &Bank, body: &modes::Body) -> Self {
+        let body = Body::new(body, 1.0, 0);
+        Self {
+            kernel: Kernel::new(Vectors::Widest),
+            packs: vec![Pack::STILL; body.place.len()],
+            body,
+            body_pa: contact_modulus_pa(&bank.material),
+            tuned: Tuned {
+                drain: Losses::AS_BUILT.drain(&bank.damping),
+                ratio: 1.0,
+            },
+        }
+    }
+
+    /// A blow of `velocity` 0…1 on the body at rest.
+    fn strike(&mut self, velocity: f32) {
+        let (settings, step_s) = (Settings::default(), 1.0 / LOOK_HZ);
+        self.body.hush(&mut self.packs);
+        self.body.tune(
+            self.kernel,
+            &mut self.packs,
+            self.tuned,
+            &Hearing::AS_BUILT,
+            step_s,
+        );
+        let strike = Strike {
+            mallet: settings.mallet,
+            body_pa: self.body_pa,
+            touch: Touch::new(&settings, velocity, 0.0),
+            seed: 1,
+        };
+        self.body.strike(self.kernel, &strike, step_s);
+    }
+
+    /// Greatest pressure in a cell of the grid, in Pa.
+    fn cell_pa(&mut self) -> f64 {
+        let mut buses = [[0.0; GRID]; 2];
+        let [left, right] = &mut buses;
+        self.body.drive(
+            self.kernel,
+            &mut self.packs,
+            0,
+            1.0 / LOOK_HZ,
+            [left, right],
+        );
+        buses
+            .iter()
+            .flatten()
+            .fold(0.0, |peak, x| peak.max(x.abs()))
+    }
+
+    /// Greatest pressure at an ear in the first hundredth of a second after the hardest blow, in Pa.
+    fn peak_pa(&mut self) -> f64 {
+        self.strike(1.0);
+        (0..LOOK_CELLS).fold(0.0, |peak, _| self.cell_pa().max(peak))
+    }
+
+    /// A-weighted level in Pa after a blow of [`VELOCITY`]: root of the mean square of both ears over
+    /// the window, beats left out.
+    fn loudness_pa(&mut self) -> f64 {
+        self.strike(VELOCITY);
+        for _ in 0..CONTACT_CELLS {
+            self.cell_pa();
+            if self.body.part(&self.packs) {
+                break;
+            }
+        }
+        let square: f64 = self
+            .body
+            .sounds(&self.packs)
+            .map(|sound| {
+                let fall = 2.0 * sound.decay_per_s * WINDOW_S;
+                // Mean of e^(−2dt) over the window; sin² is a half.
+                let mean = if fall > 1e-9 {
+                    -(-fall).exp_m1() / fall
+                } else {
+                    1.0
+                };
+                0.5 * 0.5 * sound.power * mean * a_weight(sound.omega / TAU).powi(2)
             })
-        })
-        .collect()
-}
-
-/// A-weighted level in Pa: root of the mean square of both ears over the window, beats left out.
-fn loudness_pa(modes: &[Ringing]) -> f64 {
-    let square: f64 = modes
-        .iter()
-        .map(|mode| {
-            let fall = 2.0 * mode.decay_per_s * WINDOW_S;
-            // Mean of e^(−2dt) over the window; sin² is a half.
-            let mean = if fall > 1e-9 {
-                -(-fall).exp_m1() / fall
-            } else {
-                1.0
-            };
-            0.5 * 0.5 * mode.power * mean * a_weight(mode.hz).powi(2)
-        })
-        .sum();
-    square.sqrt()
+            .sum();
+        square.sqrt()
+    }
 }
 
 /// The A curve of IEC 61672-1 as a factor, 1 at 1 kHz.
@@ -122,34 +157,6 @@ fn a_weight(hz: f64) -> f64 {
         12_194f64.powi(2) * square * square / (low * (square + 12_194f64.powi(2)))
     };
     response(hz) / response(1000.0)
-}
-
-/// Greatest pressure at an ear in the first hundredth of a second after the hardest blow, in Pa.
-fn peak_pa(bank: &Bank, body: &Body) -> f64 {
-    let (kernel, step_s) = (Kernel::detect(), 1.0 / LOOK_HZ);
-    let mut ringing = super::body::Body::new(body, step_s, 1.0);
-    ringing.tune(kernel, Losses::AS_BUILT.drain(&bank.damping));
-    let (position, pulse) = blow(bank, body, 1.0);
-    let mut contacts = [Contact::new(ringing.modes())];
-    contacts[0].begin(body.key, pulse);
-    ringing.strike(position, &mut contacts[0]);
-    let mut peak = 0.0f64;
-    for _ in 0..LOOK_SAMPLES / GRID {
-        let mut buses = [[0.0; GRID]; 3];
-        contacts[0].prepare(GRID, step_s);
-        let span = Span {
-            samples: GRID,
-            step_s,
-            open: [1.0, 0.0],
-        };
-        ringing.ring(kernel, &mut contacts, body.key, span, &mut buses);
-        let [left, right, _] = buses;
-        peak = left
-            .iter()
-            .chain(&right)
-            .fold(peak, |peak, x| peak.max(x.abs()));
-    }
-    peak
 }
 
 #[cfg(test)]

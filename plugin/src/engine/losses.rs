@@ -1,5 +1,6 @@
 //! What takes a body's energy: the material, the air, the supports, hands and felt.
 
+use super::oscillators::CAUSES;
 use modes::{Damping, Rayleigh};
 
 /// How the player weighs the causes of decay.
@@ -73,4 +74,11 @@ pub(crate) struct Drain {
     pub(crate) felt: f64,
     /// Decay rate that a hand gives all modes alike, in 1/s.
     pub(crate) hand_per_s: f64,
+}
+
+impl Drain {
+    /// Shares of what radiation, supports, resonator and felt take.
+    pub(crate) fn shares(&self) -> [f64; CAUSES] {
+        [self.radiation, self.supports, self.resonator, self.felt]
+    }
 }

@@ -37,8 +37,8 @@ impl Discs {
 pub(super) struct Motor {
     /// Angle of the shaft, in turns.
     turn: f64,
-    /// Open share at the last grid point and at the next.
-    open: [f64; 2],
+    /// Open share at the next grid point.
+    open: f64,
 }
 
 impl Motor {
@@ -46,26 +46,24 @@ impl Motor {
     pub(super) fn new() -> Self {
         Self {
             turn: 0.0,
-            open: [1.0; 2],
+            open: 1.0,
         }
     }
 
     /// On to the next grid point.
     pub(super) fn advance(&mut self, discs: &Discs, step_s: f64) {
         self.turn = (self.turn + 0.5 * discs.speed_hz * step_s * GRID as f64).fract();
-        self.open = [self.open[1], discs.open(self.turn)];
+        self.open = discs.open(self.turn);
     }
 
     /// Share of a resonator's damping that counts now.
     pub(super) fn taken(&self) -> f64 {
-        self.open[1] * self.open[1]
+        self.open * self.open
     }
 
-    /// Open share at the sample `phase` after the last grid point, and what each sample adds.
-    pub(super) fn open(&self, phase: usize) -> [f64; 2] {
-        let [from, to] = self.open;
-        let step = (to - from) / GRID as f64;
-        [from + step * phase as f64, step]
+    /// Open share of the mouths at the next grid point.
+    pub(super) fn open(&self) -> f64 {
+        self.open
     }
 }
 
@@ -77,7 +75,7 @@ mod tests {
     fn at_rest_the_resonators_are_open() {
         let mut motor = Motor::new();
         motor.advance(&Discs::OPEN, 1e-5);
-        assert!((motor.open[1] - 1.0).abs() < 1e-15);
+        assert!((motor.open - 1.0).abs() < 1e-15);
         assert!((motor.taken() - 1.0).abs() < 1e-15);
     }
 
@@ -93,15 +91,13 @@ mod tests {
         let mut open = Vec::new();
         for _ in 0..3000 {
             motor.advance(&discs, step_s);
-            open.push(motor.open[1]);
+            open.push(motor.open);
         }
         // Two seconds, ten times shut.
         let shut = open.windows(3).filter(|w| w[1] < w[0] && w[1] <= w[2]);
         assert_eq!(shut.count(), 10);
         let least = open.iter().fold(1.0, |least: f64, x| least.min(*x));
         assert!((least - 0.25).abs() < 5e-3, "{least}");
-        let [from, step] = motor.open(0);
-        assert!((from + GRID as f64 * step - motor.open[1]).abs() < 1e-15);
     }
 
     #[test]
@@ -112,6 +108,6 @@ mod tests {
             ..Discs::OPEN
         };
         motor.advance(&shut, 1e-5);
-        assert_eq!(motor.open[1], 0.0);
+        assert_eq!(motor.open, 0.0);
     }
 }

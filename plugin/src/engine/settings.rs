@@ -1,6 +1,6 @@
 //! What the player can change, as physical values.
 
-use super::{Discs, Losses};
+use super::{Discs, Losses, Mallet};
 use modes::{Damping, Rayleigh};
 
 /// Allowed ranges of [`Settings`]; the plug-in's parameters have the same.
@@ -15,6 +15,16 @@ pub mod range {
     pub const POSITION_SCATTER: RangeInclusive<f64> = 0.0..=1.0;
     /// Modulus of the mallet's head, in Pa: 1 MPa is soft yarn, 100 GPa brass.
     pub const HARDNESS_PA: RangeInclusive<f64> = 1e6..=1e11;
+    /// Mass of the mallet, in kg.
+    pub const MALLET_KG: RangeInclusive<f64> = 0.001..=1.0;
+    /// Radius of its head, in m.
+    pub const HEAD_RADIUS_M: RangeInclusive<f64> = 0.001..=0.1;
+    /// Loss of its head, in s/m.
+    pub const HEAD_LOSS_S_M: RangeInclusive<f64> = 0.0..=2.0;
+    /// Greatest share of the force by the grain of head and surface.
+    pub const ROUGHNESS: RangeInclusive<f64> = 0.0..=1.0;
+    /// Force of a hand that presses on after the blow, in N.
+    pub const PRESS_N: RangeInclusive<f64> = 0.0..=50.0;
     /// Impact speed between the softest and the hardest touch, in dB.
     pub const VELOCITY_RANGE_DB: RangeInclusive<f64> = 0.0..=60.0;
     /// Stiffness-proportional damping, in s; O'Brien 2002, Table 1 has 1e-7 (metal) to 8e-6 (wood).
@@ -46,8 +56,8 @@ pub struct Settings {
     pub velocity_to_position: f64,
     /// How far chance moves the strike either way, as a share of half the line.
     pub position_scatter: f64,
-    /// Modulus E/(1 − ν²) of the mallet's head, in Pa.
-    pub hardness_pa: f64,
+    /// What strikes.
+    pub mallet: Mallet,
     /// Impact speed between the softest and the hardest touch, in dB.
     pub velocity_range_db: f64,
     /// What takes the bodies' energy.
@@ -77,7 +87,7 @@ impl Settings {
         strike_position: 0.03,
         velocity_to_position: 0.0,
         position_scatter: 0.0,
-        hardness_pa: 2e9,
+        mallet: Mallet::DEFAULT,
         velocity_range_db: 40.0,
         losses: Losses::AS_BUILT,
         note_off_damps: false,
@@ -90,6 +100,7 @@ impl Settings {
     #[must_use]
     pub fn sane(self) -> Self {
         let normal = Self::DEFAULT;
+        let (mallet, usual) = (self.mallet, normal.mallet);
         let added = self.losses.added;
         let within = |value: f64, range: std::ops::RangeInclusive<f64>, default: f64| {
             if value.is_nan() {
@@ -113,7 +124,18 @@ impl Settings {
                 range::POSITION_SCATTER,
                 normal.position_scatter,
             ),
-            hardness_pa: within(self.hardness_pa, range::HARDNESS_PA, normal.hardness_pa),
+            mallet: Mallet {
+                mass_kg: within(mallet.mass_kg, range::MALLET_KG, usual.mass_kg),
+                head_radius_m: within(
+                    mallet.head_radius_m,
+                    range::HEAD_RADIUS_M,
+                    usual.head_radius_m,
+                ),
+                hardness_pa: within(mallet.hardness_pa, range::HARDNESS_PA, usual.hardness_pa),
+                loss_s_m: within(mallet.loss_s_m, range::HEAD_LOSS_S_M, usual.loss_s_m),
+                roughness: within(mallet.roughness, range::ROUGHNESS, usual.roughness),
+                press_n: within(mallet.press_n, range::PRESS_N, usual.press_n),
+            },
             velocity_range_db: within(
                 self.velocity_range_db,
                 range::VELOCITY_RANGE_DB,
@@ -149,18 +171,21 @@ impl Settings {
 
 #[cfg(test)]
 mod tests {
-    use super::Settings;
+    use super::{Mallet, Settings};
 
     #[test]
     fn nonsense_becomes_allowed_values() {
         let wild = Settings {
-            hardness_pa: f64::NAN,
+            mallet: Mallet {
+                hardness_pa: f64::NAN,
+                ..Mallet::DEFAULT
+            },
             gain_db: f64::INFINITY,
             strike_position: -3.0,
             ..Settings::default()
         };
         let sane = wild.sane();
-        assert_eq!(sane.hardness_pa, 2e9);
+        assert_eq!(sane.mallet.hardness_pa, 2e9);
         assert_eq!(sane.gain_db, 12.0);
         assert_eq!(sane.strike_position, 0.0);
         assert_eq!(Settings::default().sane(), Settings::default());

@@ -41,14 +41,18 @@ fn reflect(position: f64) -> f64 {
     if folded > 1.0 { 2.0 - folded } else { folded }.clamp(0.0, 1.0)
 }
 
-/// A number in −1…1 that depends on nothing but its arguments (the finaliser of `SplitMix64`, Steele
-/// et al. 2014), so that a song renders the same every time.
-pub(crate) fn chance(key: u8, position: u64) -> f64 {
+/// Bits that depend on nothing but the key and the time (the finaliser of `SplitMix64`, Steele et al.
+/// 2014), so that a song renders the same every time.
+pub(crate) fn grain(key: u8, position: u64) -> u64 {
     let mut z = position.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (u64::from(key) << 56);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
-    (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    z ^ (z >> 31)
+}
+
+/// A number in −1…1 that depends on nothing but its arguments.
+pub(crate) fn chance(key: u8, position: u64) -> f64 {
+    (grain(key, position) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::spec::{
     MOTOR_SPEED, NOTE_OFF, OUTPUT_GAIN, OWN_DAMPING, POSITION_SCATTER, RADIATION, STRIKE_POSITION,
     SUPPORTS, Spec, VELOCITY_RANGE, VELOCITY_TO_POSITION, WIDTH,
 };
-use crate::engine::{Discs, Losses, Settings};
+use crate::engine::{Discs, Losses, Mallet, Settings};
 use crate::factory;
 use modes::{Damping, Rayleigh};
 use nice_plug::prelude::{BoolParam, FloatParam, FloatRange, IntParam, IntRange, Params};
@@ -139,7 +139,10 @@ impl Controls {
             strike_position: fraction(&self.strike_position),
             velocity_to_position: fraction(&self.velocity_to_position),
             position_scatter: fraction(&self.position_scatter),
-            hardness_pa: plain(&self.mallet_hardness),
+            mallet: Mallet {
+                hardness_pa: plain(&self.mallet_hardness),
+                ..Mallet::DEFAULT
+            },
             velocity_range_db: plain(&self.velocity_range),
             losses: Losses {
                 own: plain(&self.own_damping),
@@ -192,7 +195,7 @@ mod tests {
         assert!((ours.strike_position - engine.strike_position).abs() < 1e-7);
         assert_eq!(ours.losses, engine.losses);
         assert_eq!(ours.motor, engine.motor);
-        assert_eq!(ours.hardness_pa, engine.hardness_pa);
+        assert_eq!(ours.mallet, engine.mallet);
         assert_eq!(ours.note_off_damps, engine.note_off_damps);
         assert_eq!(ours.gain_db, engine.gain_db);
         assert_eq!(ours.width, engine.width);

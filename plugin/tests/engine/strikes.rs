@@ -1,7 +1,8 @@
 //! Where and how hard a body is struck is heard, and strikes add up.
 
+use crate::support::head;
 use crate::support::{Random, beam_shape, chimes, db, expected, fit, left};
-use idiophone::engine::{Discs, Engine, Losses, Settings};
+use idiophone::engine::{Discs, Engine, Losses, Mallet, Settings};
 use modes::{Damping, Rayleigh};
 
 const RATE_HZ: f64 = 48_000.0;
@@ -70,7 +71,9 @@ fn mirror_positions_sound_equal() {
     };
     for (a, b) in partials(0.17).iter().zip(partials(0.83)) {
         let difference = db(a.amplitude / b.amplitude);
-        assert!(difference.abs() < 1e-3, "{} Hz: {difference} dB", a.hz);
+        println!("{:.0} Hz: {difference:.1e} dB", a.hz);
+        // Shapes are kept in single precision.
+        assert!(difference.abs() < 3e-3, "{} Hz: {difference} dB", a.hz);
     }
 }
 
@@ -78,7 +81,7 @@ fn mirror_positions_sound_equal() {
 fn the_end_is_bright_and_the_middle_dull() {
     // The harder the head, the more the odd modes that the middle keeps brighten it too.
     let rawhide = |strike_position: f64| Settings {
-        hardness_pa: 1e9,
+        mallet: head(1e9),
         ..at(strike_position)
     };
     let end = centroid_hz(&struck(&rawhide(0.01), 0.8, 2048));
@@ -93,46 +96,91 @@ fn harder_blows_and_harder_heads_are_brighter() {
     let hard = centroid_hz(&struck(&at(0.03), 1.0, 2048));
     assert!(hard > 1.2 * soft, "{hard} Hz against {soft} Hz");
     let yarn = Settings {
-        hardness_pa: 1e7,
+        mallet: head(1e7),
         ..at(0.03)
     };
     assert!(centroid_hz(&struck(&yarn, 1.0, 2048)) < 0.7 * hard);
 }
 
+/// Bodies do not hear of each other: what sounds together is the sum of what sounds alone.
 #[test]
-fn strikes_add_up() {
+fn bodies_add_up() {
     let bank = chimes([60, 67, 74]);
     let blows = [
         (74, 0.9, 0),
         (60, 0.5, 1000),
         (74, 0.6, 5003),
         (74, 1.0, 5010),
+        (67, 1.0, 5010),
     ];
-    let render = |which: &[usize]| {
+    let render = |keys: &[u8]| {
         let mut engine = Engine::new(&bank, RATE_HZ);
         engine.set(&Settings {
             position_scatter: 0.3,
             ..Settings::default()
         });
         let mut signal = Vec::new();
-        for &i in which {
-            let (key, velocity, time) = blows[i];
+        for (key, velocity, time) in blows {
             let wait = time - signal.len();
             signal.extend(left(&mut engine, wait));
-            engine.strike(key, velocity);
+            if keys.contains(&key) {
+                engine.strike(key, velocity);
+            }
         }
         let rest = 48_000 - signal.len();
         signal.extend(left(&mut engine, rest));
         signal
     };
-    let together = render(&[0, 1, 2, 3]);
-    let alone: Vec<_> = (0..4).map(|i| render(&[i])).collect();
+    let together = render(&[60, 67, 74]);
+    let alone = [60, 67, 74].map(|key| render(&[key]));
     let peak = together.iter().fold(0.0, |p: f64, v| p.max(v.abs()));
     let worst = (0..48_000)
         .map(|n| (together[n] - alone.iter().map(|a| a[n]).sum::<f64>()).abs())
         .fold(0.0, f64::max);
     println!("superposition {:.1} dB", db(worst / peak));
-    assert!(db(worst / peak) < -138.0, "{} dB", db(worst / peak));
+    assert!(db(worst / peak) < -126.0, "{} dB", db(worst / peak));
+}
+
+/// A mallet that meets a ringing body takes from it or gives to it, as their motions meet: the same soft
+/// blow, a sixteenth of a period later each time.
+#[test]
+fn a_strike_on_a_ringing_body_may_take_from_it() {
+    let bank = chimes([60]);
+    let hz = bank.bodies[0].modes[0].hz;
+    let soft = Settings {
+        mallet: Mallet {
+            mass_kg: 0.05,
+            loss_s_m: 0.5,
+            ..head(5e7)
+        },
+        strike_position: 0.5,
+        ..Settings::default()
+    };
+    let level = |delay: usize, second: bool| {
+        let mut engine = Engine::new(&bank, RATE_HZ);
+        engine.set(&soft);
+        engine.strike(60, 0.9);
+        left(&mut engine, 4800 + delay);
+        if second {
+            engine.strike(60, 0.7);
+        }
+        let signal = left(&mut engine, 12_000);
+        let expected = expected(&bank.bodies[0], bank.damping);
+        fit(&signal, RATE_HZ, &expected[..1], 4800..12_000)[0].amplitude
+    };
+    let period = RATE_HZ / hz;
+    let changes: Vec<f64> = (0..16)
+        .map(|k| {
+            #[expect(clippy::cast_sign_loss, reason = "a time is not negative")]
+            let delay = (period * f64::from(k) / 16.0) as usize;
+            db(level(delay, true) / level(delay, false))
+        })
+        .collect();
+    println!("{changes:.1?}");
+    let least = changes.iter().fold(0.0, |a: f64, b| a.min(*b));
+    let most = changes.iter().fold(0.0, |a: f64, b| a.max(*b));
+    assert!(least < -2.0, "takes {least} dB");
+    assert!(most > 0.5, "gives {most} dB");
 }
 
 /// Air that is pushed and not accelerated is silent: whatever the mallet, the pressure adds up to
@@ -141,7 +189,7 @@ fn strikes_add_up() {
 fn a_blow_leaves_no_thump() {
     for hardness_pa in [1e6, 5e7, 2e9, 1e11] {
         let settings = Settings {
-            hardness_pa,
+            mallet: head(hardness_pa),
             losses: Losses::only(Damping {
                 rayleigh: Rayleigh {
                     alpha1_s: 0.0,
@@ -183,7 +231,7 @@ fn song(keys: &[u8], samples: usize) -> Vec<(usize, Event)> {
                 _ => Event::Set(Settings {
                     strike_position: random.unit(),
                     position_scatter: random.unit(),
-                    hardness_pa: 1e6 * 1e5f64.powf(random.unit()),
+                    mallet: head(1e6 * 1e5f64.powf(random.unit())),
                     losses: Losses {
                         added: Damping {
                             rayleigh: Rayleigh {

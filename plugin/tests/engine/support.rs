@@ -1,6 +1,6 @@
 //! Banks in closed form, and how a rendering is measured.
 
-use idiophone::engine::Engine;
+use idiophone::engine::{Engine, Mallet};
 use modes::{
     Bank, Body, Damping, Family, Material, Member, Mode, ModeLabel, Motion, Provenance, Rayleigh,
     StrikeLine,
@@ -82,6 +82,14 @@ pub(crate) fn chime(key: u8, hz: f64) -> Body {
             normals: vec![[1.0, 0.0, 0.0]; POINTS],
         },
         modes,
+    }
+}
+
+/// The usual mallet with a head of this modulus, in Pa.
+pub(crate) fn head(hardness_pa: f64) -> Mallet {
+    Mallet {
+        hardness_pa,
+        ..Mallet::DEFAULT
     }
 }
 

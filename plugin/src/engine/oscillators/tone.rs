@@ -1,0 +1,123 @@
+//! Sixteen modes as the bank gives them, and what the player makes of them.
+
+use super::pack::LANES;
+
+/// Modes from this share of half the sample rate on are silent, not aliased.
+pub(super) const HIGHEST: f64 = 0.99;
+
+/// Causes of decay outside the material: radiation, supports, resonator and felt.
+pub(crate) const CAUSES: usize = 4;
+
+/// What is needed to tune sixteen modes anew.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct Tone {
+    /// Undamped angular frequency as built, in rad/s.
+    pub(crate) omega: [f64; LANES],
+    /// Decay rates in 1/s that the causes give when they count once.
+    pub(crate) rates: [[f32; LANES]; CAUSES],
+    /// What of x and y reaches the left and the right ear.
+    pub(crate) gain: [[[f32; LANES]; 2]; 2],
+    /// Undamped angular frequency as played, in rad/s.
+    pub(super) played: [f32; LANES],
+    /// Its inverse, in s.
+    pub(super) inverse: [f32; LANES],
+    /// exp(iωTk) for k = 1…4, or 0 for a mode that is never heard.
+    pub(super) turns: [[[f32; LANES]; 2]; 4],
+    /// exp(iωT) to the power of the cell's samples.
+    pub(super) cell: [[f64; LANES]; 2],
+    /// Decay rate from outside the material, in 1/s.
+    pub(super) outside: [f32; LANES],
+    /// Decay rate as played, in 1/s.
+    pub(crate) decay: [f32; LANES],
+}
+
+impl Tone {
+    /// No modes, but a frequency, lest anything be divided by zero.
+    pub(crate) const NONE: Self = Self {
+        omega: [1e4; LANES],
+        rates: [[0.0; LANES]; CAUSES],
+        gain: [[[0.0; LANES]; 2]; 2],
+        played: [1e4; LANES],
+        inverse: [1e-4; LANES],
+        turns: [[[0.0; LANES]; 2]; 4],
+        cell: [[0.0; LANES]; 2],
+        outside: [0.0; LANES],
+        decay: [0.0; LANES],
+    };
+
+    /// Plays the modes at `ratio` times their frequency, sampled every `step_s`.
+    ///
+    /// No call to a library: sine and cosine of a quarter of the angle are short series.
+    #[inline(always)]
+    pub(crate) fn pitch(&mut self, ratio: f64, step_s: f64) {
+        let mut turn = [[0.0; LANES]; 2];
+        for i in 0..LANES {
+            let omega = self.omega[i] * ratio;
+            let angle = omega * step_s;
+            let (sin, cos) = turned(angle.min(HIGHEST * std::f64::consts::PI));
+            let heard = angle < HIGHEST * std::f64::consts::PI;
+            turn[0][i] = if heard { cos } else { 0.0 };
+            turn[1][i] = if heard { sin } else { 0.0 };
+            self.played[i] = omega as f32;
+            self.inverse[i] = (1.0 / omega) as f32;
+        }
+        let mut power = turn;
+        for k in 0..4 {
+            for i in 0..LANES {
+                self.turns[k][0][i] = power[0][i] as f32;
+                self.turns[k][1][i] = power[1][i] as f32;
+                let (re, im) = (power[0][i], power[1][i]);
+                power[0][i] = re * turn[0][i] - im * turn[1][i];
+                power[1][i] = re * turn[1][i] + im * turn[0][i];
+            }
+        }
+        self.cell = turn;
+        let mut samples = 1;
+        while samples < super::GRID {
+            for i in 0..LANES {
+                let (re, im) = (self.cell[0][i], self.cell[1][i]);
+                self.cell[0][i] = re * re - im * im;
+                self.cell[1][i] = 2.0 * re * im;
+            }
+            samples *= 2;
+        }
+    }
+
+    /// Whether the mode is too high to be heard at this sample rate.
+    pub(crate) fn is_silent(&self, lane: usize) -> bool {
+        self.turns[0][0][lane] == 0.0 && self.turns[0][1][lane] == 0.0
+    }
+}
+
+/// Sine and cosine of an angle of 0…π, to a few parts in 10¹⁶.
+#[inline(always)]
+pub(crate) fn turned(angle: f64) -> (f64, f64) {
+    let quarter = 0.25 * angle;
+    let t = quarter * quarter;
+    let (mut sin, mut cos) = (1.0, 1.0);
+    for k in [16.0, 14.0, 12.0, 10.0, 8.0, 6.0, 4.0, 2.0] {
+        sin = 1.0 - t / (k * (k + 1.0)) * sin;
+        cos = 1.0 - t / (k * (k - 1.0)) * cos;
+    }
+    sin *= quarter;
+    for _ in 0..2 {
+        (sin, cos) = (2.0 * sin * cos, cos * cos - sin * sin);
+    }
+    (sin, cos)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turns_are_sine_and_cosine() {
+        for i in 0..=1000 {
+            let angle = f64::from(i) / 1000.0 * std::f64::consts::PI;
+            let (sin, cos) = turned(angle);
+            assert!((sin - angle.sin()).abs() < 2e-15, "{angle}");
+            assert!((cos - angle.cos()).abs() < 2e-15, "{angle}");
+        }
+    }
+}
