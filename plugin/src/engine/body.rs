@@ -1,7 +1,9 @@
 //! One object: its modes, and how they wake, change and fall asleep.
 
 use super::GRID;
+use super::bow::Rub;
 use super::contact::{Blow, Contact};
+use super::grips;
 use super::losses::Drain;
 use super::mallet::Mallet;
 use super::oscillators::{Drive, Kernel, LANES, Pack, Step, Tone, Tune, TuneSteps};
@@ -21,8 +23,18 @@ pub(crate) const MALLETS: usize = 4;
 const FOLLOWED_HZ: f64 = 176_400.0;
 const FOLLOWED: f64 = 12.0;
 
+/// Steps a second in which friction is followed.
+const RUBBED_HZ: f64 = 88_200.0;
+
 /// Steps to a sample at most.
 const MOST_STEPS: f64 = 16.0;
+
+/// Whole steps to a sample, at least `wanted`.
+fn substeps(wanted: f64) -> u32 {
+    #[expect(clippy::cast_sign_loss, reason = "at least one")]
+    let steps = (wanted.min(MOST_STEPS) - 1e-6).ceil().max(1.0) as u32;
+    steps
+}
 
 /// A body that rings.
 #[derive(Clone, Debug)]
@@ -46,6 +58,7 @@ pub(crate) struct Body {
     normal: Vec<f32>,
     points: usize,
     mallets: [Contact; MALLETS],
+    rub: Rub,
     steps: Vec<Step>,
     substeps: u32,
     /// What the modes are tuned to.
@@ -67,6 +80,8 @@ pub(crate) struct Strike {
     pub(crate) mallet: Mallet,
     /// E/(1 − ν²) of the body, in Pa.
     pub(crate) body_pa: f64,
+    /// Mass of the body over that as built.
+    pub(crate) heavier: f64,
     pub(crate) touch: Touch,
     /// Seed of the roughness of head and surface.
     pub(crate) seed: u64,
@@ -114,6 +129,7 @@ impl Body {
             normal,
             points,
             mallets: std::array::from_fn(|_| Contact::new(packs)),
+            rub: grips::bow(&modes, body.line.points_m[0]),
             steps: vec![Step::STILL; packs],
             substeps: 1,
             tuned: None,
@@ -126,9 +142,9 @@ impl Body {
         self.place.start..self.place.start + self.live
     }
 
-    /// Whether a mallet is on it.
+    /// Whether a mallet or a bow is on it.
     pub(crate) fn is_touched(&self) -> bool {
-        self.mallets.iter().any(|mallet| mallet.touches)
+        self.rub.touches || self.mallets.iter().any(|mallet| mallet.touches)
     }
 
     /// Which packs are to be heard otherwise now.
@@ -205,21 +221,20 @@ impl Body {
         let Strike {
             mallet,
             body_pa,
+            heavier,
             touch,
             seed,
         } = *strike;
-        let contact_s = mallet.contact_s(body_pa, self.mass_kg, touch.speed_m_s);
-        let wanted = (step_s * FOLLOWED_HZ.max(FOLLOWED / contact_s)).min(MOST_STEPS);
-        #[expect(clippy::cast_sign_loss, reason = "a time is not negative")]
-        let wanted = (wanted - 1e-6).ceil().max(1.0) as u32;
+        let body_kg = self.mass_kg * heavier;
+        let contact_s = mallet.contact_s(body_pa, body_kg, touch.speed_m_s);
+        let wanted = substeps(step_s * FOLLOWED_HZ.max(FOLLOWED / contact_s));
         if !self.driven || wanted > self.substeps {
             self.substeps = wanted;
             self.tune_steps(kernel, step_s);
         }
-        self.driven = true;
-        self.live = self.tones.len();
+        self.begin_drive();
         let slot = self.vacant();
-        let mobility = self.reach(touch.position, slot);
+        let mobility = self.reach(touch.position, heavier, slot);
         let contact = &mut self.mallets[slot];
         contact.still = self
             .tones
@@ -233,11 +248,36 @@ impl Body {
             hertz: mallet
                 .hertz(body_pa)
                 .followed(step_s / f64::from(self.substeps) / contact_s),
-            body_kg: self.mass_kg,
+            body_kg,
             mobility,
             speed_m_s: touch.speed_m_s,
             seed,
         });
+    }
+
+    /// From now on something pushes it, and every mode may ring.
+    fn begin_drive(&mut self) {
+        self.driven = true;
+        self.live = self.tones.len();
+    }
+
+    /// A bow of `force_n` and `speed_m_s` for the next cell, which begins now; whether it is on the body,
+    /// which a force of 0 ends.
+    pub(crate) fn bow(&mut self, kernel: Kernel, force_n: f64, speed_m_s: f64, step_s: f64) -> bool {
+        let was = self.rub.touches;
+        let tones = &self.tones;
+        let silent = |pack: usize, lane: usize| tones[pack].is_silent(lane);
+        let cell_s = step_s * GRID as f64;
+        if !self.rub.follow(force_n, speed_m_s, cell_s, silent) {
+            return false;
+        }
+        let wanted = substeps(step_s * RUBBED_HZ);
+        if !was && (!self.driven || self.substeps < wanted) {
+            self.substeps = wanted;
+            self.tune_steps(kernel, step_s);
+        }
+        self.begin_drive();
+        true
     }
 
     /// A place for a mallet: an empty one, or that of the mallet that is there no longer or longest.
@@ -256,7 +296,9 @@ impl Body {
 
     /// Writes φ·n̂ at `position` for the mallet in `slot`; Σ(φ·n̂)² in 1/kg. Modes that are silent at
     /// this sample rate do not count.
-    fn reach(&mut self, position: f64, slot: usize) -> f64 {
+    fn reach(&mut self, position: f64, heavier: f64, slot: usize) -> f64 {
+        // Shapes go with the root of the mass.
+        let lighter = heavier.sqrt().recip();
         let reach = &mut self.mallets[slot].reach;
         let width = reach.len() * LANES;
         let stencil = Stencil::at(position, self.points);
@@ -266,7 +308,7 @@ impl Body {
             for (k, share) in stencil.weights.into_iter().enumerate() {
                 let row = &self.normal[(stencil.first + k) * width + pack * LANES..][..LANES];
                 for (reach, normal) in reach.iter_mut().zip(row) {
-                    *reach += share * f64::from(*normal);
+                    *reach += lighter * share * f64::from(*normal);
                 }
             }
             for (lane, reach) in reach.iter_mut().enumerate() {
@@ -293,6 +335,7 @@ impl Body {
             packs: &mut packs[self.place.clone()][..self.live],
             steps: &self.steps[..self.live],
             contacts: &mut self.mallets,
+            rub: self.rub.touches.then_some(&self.rub),
             substeps: self.substeps,
             step_s: step_s / f64::from(self.substeps),
             fade: self.fading.then_some([phase as f64 / cell, 1.0 / cell]),
@@ -371,6 +414,7 @@ impl Body {
         for mallet in &mut self.mallets {
             mallet.lift();
         }
+        self.rub.lift();
         self.live = 0;
         self.driven = false;
     }

@@ -15,59 +15,28 @@ pub(crate) struct Dampers {
     pub(crate) hand_per_s: f64,
 }
 
-/// Keys, pedal and hands on the bodies, one bit a key.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Damper {
-    held: u128,
-    choked: u128,
-    pedal: bool,
-}
-
-impl Damper {
-    /// A key goes down: no hand stays on its body.
-    pub(crate) fn press(&mut self, key: u8) {
-        self.held |= bit(key);
-        self.choked &= !bit(key);
-    }
-
-    /// A key comes up.
-    pub(crate) fn release(&mut self, key: u8) {
-        self.held &= !bit(key);
-    }
-
-    /// The sustain pedal moves.
-    pub(crate) fn pedal(&mut self, down: bool) {
-        self.pedal = down;
-    }
-
-    /// Hands on the bodies whose bits are set, keys up.
-    pub(crate) fn choke(&mut self, keys: u128) {
-        self.choked |= keys;
-        self.held &= !keys;
-    }
-
-    /// What lies on a body; one without a felt of its own (`has_felt`) is damped by hand.
-    pub(crate) fn on(&self, key: u8, note_off_damps: bool, has_felt: bool) -> Dampers {
-        let free = Dampers {
-            felt: 0.0,
-            hand_per_s: 0.0,
-        };
-        if self.choked & bit(key) != 0 {
-            Dampers {
-                hand_per_s: CHOKE_PER_S,
-                ..free
+impl Dampers {
+    /// The damper with a share `felt` of its weight; a body without a felt of its own (`has_felt`) is
+    /// damped by hand.
+    pub(crate) fn new(felt: f64, has_felt: bool) -> Self {
+        if has_felt {
+            Self {
+                felt,
+                hand_per_s: 0.0,
             }
-        } else if !note_off_damps || self.pedal || self.held & bit(key) != 0 {
-            free
-        } else if has_felt {
-            Dampers { felt: 1.0, ..free }
         } else {
-            Dampers {
-                hand_per_s: HAND_PER_S,
-                ..free
+            Self {
+                felt: 0.0,
+                hand_per_s: HAND_PER_S * felt,
             }
         }
     }
+
+    /// A hand that silences the body.
+    pub(crate) const CHOKE: Self = Self {
+        felt: 0.0,
+        hand_per_s: CHOKE_PER_S,
+    };
 }
 
 /// The bit of a key 0…127.
@@ -77,38 +46,14 @@ pub(crate) fn bit(key: u8) -> u128 {
 
 #[cfg(test)]
 mod tests {
-    use super::{CHOKE_PER_S, Damper, Dampers, HAND_PER_S};
+    use super::{CHOKE_PER_S, Dampers, HAND_PER_S};
     use modes::t60_s;
 
     #[test]
     fn dampers_take_the_stated_times() {
         assert!((t60_s(HAND_PER_S) - 0.25).abs() < 1e-12);
         assert!((t60_s(CHOKE_PER_S) - 0.06).abs() < 1e-12);
-    }
-
-    #[test]
-    fn pedal_and_keys_hold_dampers_off() {
-        let hand = |hand_per_s| Dampers {
-            felt: 0.0,
-            hand_per_s,
-        };
-        let mut damper = Damper::default();
-        damper.press(60);
-        assert_eq!(damper.on(60, true, false), hand(0.0));
-        damper.pedal(true);
-        damper.release(60);
-        assert_eq!(damper.on(60, true, true), hand(0.0));
-        damper.pedal(false);
-        assert_eq!(damper.on(60, true, false), hand(HAND_PER_S));
-        let felt = Dampers {
-            felt: 1.0,
-            hand_per_s: 0.0,
-        };
-        assert_eq!(damper.on(60, true, true), felt);
-        assert_eq!(damper.on(60, false, true), hand(0.0));
-        damper.choke(u128::MAX);
-        assert_eq!(damper.on(60, false, true), hand(CHOKE_PER_S));
-        damper.press(60);
-        assert_eq!(damper.on(60, true, true), hand(0.0));
+        assert_eq!(Dampers::new(0.5, true).felt, 0.5);
+        assert_eq!(Dampers::new(0.5, false).hand_per_s, 0.5 * HAND_PER_S);
     }
 }

@@ -3,108 +3,109 @@
 use super::glide::Glide;
 use super::losses::{Drain, Losses};
 use super::motor::Discs;
-use super::{GRID, Settings};
+use super::{GRID, Listener, Settings, Tweak};
 use modes::{Damping, Rayleigh};
 
 /// Time a moved parameter takes, in s.
 const GLIDE_S: f64 = 0.015;
+
+/// How many values move.
+const VALUES: usize = 18;
 
 /// The factor of a level in dB.
 fn decibels(db: f64) -> f64 {
     10f64.powf(db / 20.0)
 }
 
+/// What moves, as plain numbers, always in the same order. Lengths, stiffness, density and distance
+/// move by their logarithms, lest one half of the way sound faster than the other.
+fn targets(settings: &Settings) -> [f64; VALUES] {
+    let Settings {
+        losses,
+        motor,
+        listener,
+        tweak,
+        ..
+    } = settings;
+    [
+        losses.own,
+        losses.added.rayleigh.alpha1_s,
+        losses.added.rayleigh.alpha2_per_s,
+        losses.added.loss_factor,
+        losses.radiation,
+        losses.supports,
+        motor.speed_hz,
+        motor.depth,
+        motor.phase_deg,
+        listener.width,
+        listener.distance.ln(),
+        listener.angle_deg,
+        decibels(settings.gain_db),
+        tweak.size.ln(),
+        tweak.stiffness.ln(),
+        tweak.density.ln(),
+        settings.swing,
+        settings.sympathy,
+    ]
+}
+
 /// Values that move slowly enough not to click.
 pub(super) struct Glides {
-    own: Glide,
-    alpha1_s: Glide,
-    alpha2_per_s: Glide,
-    loss_factor: Glide,
-    radiation: Glide,
-    supports: Glide,
-    motor_hz: Glide,
-    motor_depth: Glide,
-    motor_deg: Glide,
-    width: Glide,
-    gain: Glide,
+    all: [Glide; VALUES],
+    /// Where they are now.
+    now: [f64; VALUES],
 }
 
 impl Glides {
     pub(super) fn new(settings: &Settings, step_s: f64) -> Self {
         #[expect(clippy::cast_sign_loss, reason = "both factors are positive")]
         let steps = (GLIDE_S / (step_s * GRID as f64)).ceil() as u32;
-        let Losses {
-            own,
-            added,
-            radiation,
-            supports,
-        } = settings.losses;
-        let glide = |value| Glide::new(value, steps);
+        let now = targets(settings);
         Self {
-            own: glide(own),
-            alpha1_s: glide(added.rayleigh.alpha1_s),
-            alpha2_per_s: glide(added.rayleigh.alpha2_per_s),
-            loss_factor: glide(added.loss_factor),
-            radiation: glide(radiation),
-            supports: glide(supports),
-            motor_hz: glide(settings.motor.speed_hz),
-            motor_depth: glide(settings.motor.depth),
-            motor_deg: glide(settings.motor.phase_deg),
-            width: glide(settings.width),
-            gain: glide(decibels(settings.gain_db)),
+            all: now.map(|value| Glide::new(value, steps)),
+            now,
         }
     }
 
-    pub(super) fn each(&mut self) -> [&mut Glide; 11] {
-        [
-            &mut self.own,
-            &mut self.alpha1_s,
-            &mut self.alpha2_per_s,
-            &mut self.loss_factor,
-            &mut self.radiation,
-            &mut self.supports,
-            &mut self.motor_hz,
-            &mut self.motor_depth,
-            &mut self.motor_deg,
-            &mut self.width,
-            &mut self.gain,
-        ]
+    /// Sets out for `settings`.
+    pub(super) fn aim(&mut self, settings: &Settings) {
+        for (glide, target) in self.all.iter_mut().zip(targets(settings)) {
+            glide.aim(target);
+        }
     }
 
-    pub(super) fn aim(&mut self, settings: &Settings) {
-        let Losses {
-            own,
-            added,
-            radiation,
-            supports,
-        } = settings.losses;
-        self.own.aim(own);
-        self.alpha1_s.aim(added.rayleigh.alpha1_s);
-        self.alpha2_per_s.aim(added.rayleigh.alpha2_per_s);
-        self.loss_factor.aim(added.loss_factor);
-        self.radiation.aim(radiation);
-        self.supports.aim(supports);
-        self.motor_hz.aim(settings.motor.speed_hz);
-        self.motor_depth.aim(settings.motor.depth);
-        self.motor_deg.aim(settings.motor.phase_deg);
-        self.width.aim(settings.width);
-        self.gain.aim(decibels(settings.gain_db));
+    /// Takes one step; whether anything moved.
+    pub(super) fn advance(&mut self) -> bool {
+        let before = self.now;
+        for (glide, now) in self.all.iter_mut().zip(&mut self.now) {
+            glide.advance();
+            *now = glide.value();
+        }
+        before != self.now
+    }
+
+    /// Arrives at once.
+    pub(super) fn snap(&mut self) {
+        for (glide, now) in self.all.iter_mut().zip(&mut self.now) {
+            glide.snap();
+            *now = glide.value();
+        }
     }
 
     /// What drains the bodies of a material that takes `own` by itself, and the resonators the share
     /// `resonator`.
     pub(super) fn drain(&self, own: &Damping, resonator: f64) -> Drain {
         let losses = Losses {
-            own: self.own.value(),
+            own: self.now[0],
             added: Damping {
                 rayleigh: Rayleigh {
-                    alpha1_s: self.alpha1_s.value(),
-                    alpha2_per_s: self.alpha2_per_s.value(),
+                    alpha1_s: self.now[1],
+                    alpha2_per_s: self.now[2],
                 },
-                loss_factor: self.loss_factor.value(),
+                loss_factor: self.now[3],
             },
-            radiation: self.radiation.value(),
-            supports: self.supports.value(),
+            radiation: self.now[4],
+            supports: self.now[5],
         };
         Drain {
             resonator,
@@ -115,19 +116,42 @@ impl Glides {
     /// How the resonators' discs turn.
     pub(super) fn discs(&self) -> Discs {
         Discs {
-            speed_hz: self.motor_hz.value(),
-            depth: self.motor_depth.value(),
-            phase_deg: self.motor_deg.value(),
+            speed_hz: self.now[6],
+            depth: self.now[7],
+            phase_deg: self.now[8],
+        }
+    }
+
+    /// Where the listener is.
+    pub(super) fn listener(&self) -> Listener {
+        Listener {
+            width: self.now[9],
+            distance: self.now[10].exp(),
+            angle_deg: self.now[11],
         }
     }
 
     /// Output gain.
     pub(super) fn gain(&self) -> f64 {
-        self.gain.value()
+        self.now[12]
     }
 
-    /// Stereo width, 0…1.
-    pub(super) fn width(&self) -> f64 {
-        self.width.value()
+    /// Size and material.
+    pub(super) fn tweak(&self) -> Tweak {
+        Tweak {
+            size: self.now[13].exp(),
+            stiffness: self.now[14].exp(),
+            density: self.now[15].exp(),
+        }
+    }
+
+    /// Share of a swing that is heard.
+    pub(super) fn swing(&self) -> f64 {
+        self.now[16]
+    }
+
+    /// How firmly the bodies are joined.
+    pub(super) fn sympathy(&self) -> f64 {
+        self.now[17]
     }
 }

@@ -2,20 +2,22 @@
 
 use super::body::{Body, Moved, Strike, Tuned};
 use super::cell::Cell;
-use super::damper::{Damper, bit};
+use super::damper::{Dampers, bit};
 use super::glides::Glides;
+use super::limiter::Limiter;
 use super::level::full_scales;
 use super::losses::Drain;
-use super::mallet::contact_modulus_pa;
+use super::mallet::{Mallet, contact_modulus_pa};
 use super::motor::Motor;
 use super::oscillators::{Kernel, Pack, Vectors};
-use super::source::Hearing;
+use super::source::{Hearing, Way};
+use super::swing::Swing;
 use super::touch::{Touch, chance, grain};
-use super::{GRID, Settings};
+use super::{GRID, Hit, Hold, Settings};
 use modes::{Bank, Damping, Stencil};
 
-/// No sample is ever beyond this, whatever is played: 36 dB over full scale. Below it the output is
-/// the sum of the modes, bit for bit.
+/// No sample is ever beyond this, whatever is played: 36 dB over full scale, with the limiter off. Below
+/// it (with the limiter, below full scale) the output is the sum of the modes, bit for bit.
 pub const OUTPUT_BOUND: f32 = 64.0;
 
 /// Cells of the grid between two looks at whether a body still sounds.
@@ -36,20 +38,50 @@ pub struct Engine {
     own: Damping,
     /// E/(1 − ν²) of that material, in Pa.
     modulus_pa: f64,
+    /// Where the bank has the listener's ears, in m.
+    ears_m: [[f64; 3]; 2],
     awake: u128,
     /// Bodies that something pushes.
     driven: u128,
-    damper: Damper,
+    /// Bodies that a hand silences.
+    choked: u128,
+    /// What hands do to each key's body.
+    hands: [Hand; 128],
+    /// Bodies on which a bow is, or is to be.
+    bowed: u128,
+    swings: [Swing; 128],
     settings: Settings,
     glides: Glides,
     motor: Motor,
+    /// Ways to the ears at the end of this cell, and frequencies over those as built.
+    ways: [Way; 2],
+    pitch: f64,
     /// What rings freely in this cell of the grid.
     cell: Cell,
     /// Output gain at the start of the cell and at its end.
     gain: [f64; 2],
+    limiter: Limiter,
     kernel: Kernel,
     step_s: f64,
     position: u64,
+}
+
+/// Hands on one body.
+#[derive(Clone, Copy)]
+struct Hand {
+    hold: Hold,
+    /// 2 to the power of the bend in octaves.
+    bend: f64,
+    /// Pressure of a bow whose key is held down.
+    rubs: f64,
+}
+
+impl Hand {
+    const FREE: Self = Self {
+        hold: Hold::FREE,
+        bend: 1.0,
+        rubs: 0.0,
+    };
 }
 
 /// The keys whose bits are set, from the lowest.
@@ -113,12 +145,19 @@ impl Engine {
             packs: vec![Pack::STILL; packs],
             own: bank.damping,
             modulus_pa: contact_modulus_pa(&bank.material),
+            ears_m: bank.ears_m,
             awake: 0,
             driven: 0,
-            damper: Damper::default(),
+            choked: 0,
+            hands: [Hand::FREE; 128],
+            bowed: 0,
+            swings: [Swing::default(); 128],
             gain: [glides.gain(); 2],
             motor: Motor::new(),
+            ways: settings.listener.ways(&bank.ears_m),
+            pitch: 1.0,
             cell: Cell::new(packs),
+            limiter: Limiter::new(step_s),
             glides,
             settings,
             kernel,
@@ -134,7 +173,11 @@ impl Engine {
         }
         self.awake = 0;
         self.driven = 0;
-        self.damper = Damper::default();
+        self.choked = 0;
+        self.hands = [Hand::FREE; 128];
+        self.bowed = 0;
+        self.swings = [Swing::default(); 128];
+        self.limiter.reset();
         self.position = 0;
         self.motor = Motor::new();
         self.cell.close();
@@ -150,24 +193,49 @@ impl Engine {
         }
     }
 
-    /// Strikes a key's body with a velocity of 0…1, now. Whether there is such a body.
+    /// Strikes a key's body with a velocity of 0…1, now, and lifts its damper. Whether there is such a
+    /// body.
     pub fn strike(&mut self, key: u8, velocity: f32) -> bool {
+        self.hit(key, &Hit::plain(f64::from(velocity)))
+    }
+
+    /// The same with all that hands and controllers do to a blow. With a bow in the settings that rubs,
+    /// the body is rubbed until [`Engine::release`].
+    pub fn hit(&mut self, key: u8, hit: &Hit) -> bool {
         if self.body(key).is_none() {
             return false;
         }
         if self.awake == 0 {
             self.arrive();
         }
-        self.damper.press(key);
+        let hit = hit.sane();
+        self.choked &= !bit(key);
+        let hand = &mut self.hands[usize::from(key)];
+        hand.hold.felt = 0.0;
+        if self.settings.bow.rubs {
+            hand.rubs = hit.velocity;
+            self.bowed |= bit(key);
+            return true;
+        }
+        let tweak = self.glides.tweak();
+        let set = self.settings.mallet;
+        let mallet = Mallet {
+            hardness_pa: set.hardness_pa * 10f64.powf(hit.hardness_decades),
+            mass_kg: set.mass_kg * hit.mass_octaves.exp2(),
+            ..set
+        };
         let strike = Strike {
-            mallet: self.settings.mallet,
-            body_pa: self.modulus_pa,
-            touch: Touch::new(&self.settings, velocity, chance(key, self.position)),
+            mallet: mallet.sane(),
+            body_pa: self.modulus_pa * tweak.stiffness,
+            heavier: tweak.mass(),
+            touch: Touch::new(&self.settings, &hit, chance(key, self.position)),
             seed: grain(key, self.position),
         };
         self.wake(key);
         if let Some(body) = self.bodies[usize::from(key)].as_mut() {
             body.strike(self.kernel, &strike, self.step_s);
+            let share = mallet.mass_kg / (mallet.mass_kg + strike.heavier * body.mass_kg);
+            self.swings[usize::from(key)].push(2.0 * share * strike.touch.speed_m_s);
         }
         self.driven |= bit(key);
         true
@@ -175,7 +243,7 @@ impl Engine {
 
     /// Makes a body ready to be pushed from here on.
     fn wake(&mut self, key: u8) {
-        let (tuned, hearing) = (self.tuned(key), self.hearing());
+        let (tuned, hearing) = (self.tuned(key), self.hearing(key));
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
             return;
         };
@@ -190,31 +258,49 @@ impl Engine {
         }
     }
 
-    /// A key comes up; its body rings on unless the settings say that it is damped.
+    /// What hands do to a key's body from the next grid point on.
+    pub fn hold(&mut self, key: u8, hold: &Hold) {
+        let Some(hand) = self.hands.get_mut(usize::from(key)) else {
+            return;
+        };
+        let hold = hold.sane();
+        if hold.bend_semitones != hand.hold.bend_semitones {
+            hand.bend = (hold.bend_semitones / 12.0).exp2();
+        }
+        hand.hold = hold;
+        if hold.bow_pressure > 0.0 {
+            self.bowed |= bit(key);
+        }
+    }
+
+    /// The hand leaves a key: it no longer presses its mallet on nor moves its bow. The damper is
+    /// [`Hold::felt`].
     pub fn release(&mut self, key: u8) {
-        self.damper.release(key);
-        if let Some(body) = self
-            .bodies
-            .get_mut(usize::from(key))
-            .and_then(Option::as_mut)
-        {
+        let slot = usize::from(key);
+        if let Some(hand) = self.hands.get_mut(slot) {
+            hand.rubs = 0.0;
+        }
+        if let Some(body) = self.bodies.get_mut(slot).and_then(Option::as_mut) {
             body.let_go();
         }
     }
 
-    /// The sustain pedal holds released bodies undamped.
-    pub fn pedal(&mut self, down: bool) {
-        self.damper.pedal(down);
-    }
-
     /// Silences a key's body within 0.2 s, without a click.
     pub fn choke(&mut self, key: u8) {
-        self.damper.choke(bit(key));
+        self.silence(bit(key));
     }
 
     /// Silences everything within 0.2 s, without a click.
     pub fn choke_all(&mut self) {
-        self.damper.choke(u128::MAX);
+        self.silence(u128::MAX);
+    }
+
+    fn silence(&mut self, keys_bits: u128) {
+        self.choked |= keys_bits;
+        for key in keys(keys_bits) {
+            self.release(key);
+            self.hands[usize::from(key)].hold.bow_pressure = 0.0;
+        }
     }
 
     /// The keys whose bodies sound, bit 0 for key 0.
@@ -252,59 +338,100 @@ impl Engine {
 
     /// Parameters that nobody hears move are there at once.
     fn arrive(&mut self) {
-        for glide in self.glides.each() {
-            glide.snap();
-        }
+        self.glides.snap();
         self.gain = [self.glides.gain(); 2];
+        self.moved();
+    }
+
+    /// Works out what follows from parameters that have moved.
+    fn moved(&mut self) {
+        self.ways = self.glides.listener().ways(&self.ears_m);
+        self.pitch = self.glides.tweak().pitch();
     }
 
     /// What the modes of a key's body are tuned to now.
     fn tuned(&self, key: u8) -> Tuned {
+        let slot = usize::from(key);
+        let hand = &self.hands[slot];
         let drain = self.glides.drain(&self.own, self.motor.taken());
         let has_felt = self.body(key).is_some_and(|body| body.has_felt);
-        let on = self.damper.on(key, self.settings.note_off_damps, has_felt);
+        let felt = if self.settings.note_off_damps {
+            hand.hold.felt
+        } else {
+            0.0
+        };
+        let on = if self.choked & bit(key) != 0 {
+            Dampers::CHOKE
+        } else {
+            Dampers::new(felt, has_felt)
+        };
+        let (doppler, _) = self.swings[slot].heard(self.glides.swing(), self.distance_m());
         Tuned {
             drain: Drain {
                 felt: on.felt,
-                hand_per_s: on.hand_per_s,
+                hand_per_s: on.hand_per_s + hand.hold.hand_per_s,
                 ..drain
             },
-            ratio: 1.0,
+            ratio: self.pitch * hand.bend * doppler,
         }
     }
 
-    /// How bodies are heard at the end of this cell.
-    fn hearing(&self) -> Hearing {
+    /// How a key's body is heard at the end of this cell.
+    fn hearing(&self, key: u8) -> Hearing {
+        let slot = usize::from(key);
+        let hold = &self.hands[slot].hold;
+        let (_, nearer) = self.swings[slot].heard(self.glides.swing(), self.distance_m());
+        let level = hold.level * nearer;
+        let pans = [1.0 - hold.pan, 1.0 + hold.pan].map(|share| level * share.min(1.0));
+        let mut ways = self.ways;
+        for (way, pan) in ways.iter_mut().zip(pans) {
+            way.gain *= pan;
+        }
         Hearing {
             open: self.motor.open(),
-            width: self.glides.width(),
-            ..Hearing::AS_BUILT
+            width: self.glides.listener().width,
+            ways,
         }
+    }
+
+    /// From the middle between the ears to the instrument, in m.
+    fn distance_m(&self) -> f64 {
+        let middle = |a: usize| 0.5 * (self.ears_m[0][a] + self.ears_m[1][a]);
+        middle(0).hypot(middle(1)).hypot(middle(2)).max(0.1)
     }
 
     /// What is looked at on the grid only; then what rings freely sounds for a cell.
     fn look(&mut self) {
-        if self.awake == 0 {
+        if self.awake | self.bowed == 0 {
             self.arrive();
             self.motor.advance(&self.glides.discs(), self.step_s);
             return;
         }
-        for glide in self.glides.each() {
-            glide.advance();
+        if self.glides.advance() {
+            self.moved();
         }
         self.motor.advance(&self.glides.discs(), self.step_s);
         self.gain = [self.gain[1], self.glides.gain()];
+        for key in keys(self.awake) {
+            self.swings[usize::from(key)].advance(self.step_s * GRID as f64);
+        }
         self.rest();
+        self.rub();
+        self.ring();
+    }
+
+    /// A cell of what rings freely.
+    fn ring(&mut self) {
         self.cell.begin();
-        let hearing = self.hearing();
         for key in keys(self.awake & !self.driven) {
+            let hearing = self.hearing(key);
             if let Some(body) = &self.bodies[usize::from(key)] {
                 self.cell.leave(body, body.moved(&hearing));
             }
         }
         self.cell.ring_left(self.kernel, &mut self.packs);
         for key in keys(self.awake) {
-            let tuned = self.tuned(key);
+            let (tuned, hearing) = (self.tuned(key), self.hearing(key));
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
@@ -316,6 +443,28 @@ impl Engine {
             }
         }
         self.cell.ring_entered(self.kernel, &mut self.packs);
+    }
+
+    /// Moves bows on, and takes those away that are lifted.
+    fn rub(&mut self) {
+        for key in keys(self.bowed) {
+            let hand = self.hands[usize::from(key)];
+            let pressure = hand.hold.bow_pressure.max(hand.rubs);
+            if self.awake & bit(key) == 0 && pressure > 0.0 {
+                self.wake(key);
+            }
+            let bow = self.settings.bow;
+            let speed_m_s = bow.speed_m_s * hand.hold.bow_speed_octaves.exp2();
+            let Some(body) = self.bodies[usize::from(key)].as_mut() else {
+                self.bowed &= !bit(key);
+                continue;
+            };
+            if body.bow(self.kernel, pressure * bow.force_n, speed_m_s, self.step_s) {
+                self.driven |= bit(key);
+            } else if pressure == 0.0 {
+                self.bowed &= !bit(key);
+            }
+        }
     }
 
     /// Takes mallets away that have left, and lets bodies sleep that no longer sound.
@@ -356,8 +505,11 @@ impl Engine {
         for n in 0..run {
             let share = (phase + n) as f64 / GRID as f64;
             let gain = from + (to - from) * share;
-            left[n] = finish(gain * buses[0][n]);
-            right[n] = finish(gain * buses[1][n]);
+            let mut sample = [gain * buses[0][n], gain * buses[1][n]];
+            if self.settings.limiter {
+                sample = self.limiter.limit(sample);
+            }
+            [left[n], right[n]] = sample.map(finish);
         }
     }
 }

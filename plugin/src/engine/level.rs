@@ -5,7 +5,7 @@ use super::mallet::contact_modulus_pa;
 use super::oscillators::{Kernel, Pack, Vectors};
 use super::source::Hearing;
 use super::touch::Touch;
-use super::{GRID, Losses, Settings};
+use super::{GRID, Hit, Losses, Settings};
 use modes::Bank;
 use std::f64::consts::TAU;
 
@@ -91,7 +91,8 @@ impl Trial {
         let strike = Strike {
             mallet: settings.mallet,
             body_pa: self.body_pa,
-            touch: Touch::new(&settings, velocity, 0.0),
+            heavier: 1.0,
+            touch: Touch::new(&settings, &Hit::plain(f64::from(velocity)), [0.0; 2]),
             seed: 1,
         };
         self.body.strike(self.kernel, &strike, step_s);

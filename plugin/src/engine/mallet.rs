@@ -1,6 +1,8 @@
 //! What strikes: its mass, its head and what it gives back.
 
 use super::hertz::Hertz;
+use super::range;
+use super::settings::within;
 use modes::Material;
 
 /// E/(1 − ν²) in Pa of a body's material; that of a body that does not give way if it is none.
@@ -40,6 +42,23 @@ impl Mallet {
         roughness: 0.0,
         press_n: 0.0,
     };
+
+    /// The same with every value in its range, and what is not a number as by default.
+    pub(super) fn sane(self) -> Self {
+        let normal = Self::DEFAULT;
+        Self {
+            mass_kg: within(self.mass_kg, range::MALLET_KG, normal.mass_kg),
+            head_radius_m: within(
+                self.head_radius_m,
+                range::HEAD_RADIUS_M,
+                normal.head_radius_m,
+            ),
+            hardness_pa: within(self.hardness_pa, range::HARDNESS_PA, normal.hardness_pa),
+            loss_s_m: within(self.loss_s_m, range::HEAD_LOSS_S_M, normal.loss_s_m),
+            roughness: within(self.roughness, range::ROUGHNESS, normal.roughness),
+            press_n: within(self.press_n, range::PRESS_N, normal.press_n),
+        }
+    }
 
     /// E* in Pa with a body of E/(1 − ν²) = `body_pa`: what is softer gives way (Johnson, Contact
     /// Mechanics, 1985, Eq. 4.18).

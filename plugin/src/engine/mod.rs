@@ -1,28 +1,41 @@
 //! From a key to sound: strikes on bodies that ring until physics lets them stop.
 
 mod body;
+mod bow;
 mod cell;
 mod contact;
 mod damper;
+mod friction;
 mod glide;
 mod glides;
+mod grips;
 mod hertz;
+mod hold;
 mod instrument;
 mod level;
+mod limiter;
+mod listener;
 mod losses;
 mod mallet;
 mod motor;
 mod oscillators;
+pub mod range;
 mod settings;
 mod source;
+mod swing;
 mod touch;
+mod tweak;
 
+pub use bow::Bow;
+pub use hold::{Hit, Hold};
 pub use instrument::{Engine, OUTPUT_BOUND};
+pub use listener::Listener;
 pub use losses::Losses;
 pub use mallet::Mallet;
 pub use motor::Discs;
 pub use oscillators::Vectors;
-pub use settings::{Settings, range};
+pub use settings::Settings;
+pub use tweak::Tweak;
 
 /// Samples between two looks at the parameters, at what still sounds and at what has ended.
 ///

@@ -1,11 +1,11 @@
 //! What a mode sends to the ears, and how it is heard.
 
 use super::oscillators::LANES;
-use modes::Ears;
+use modes::{Ears, ModeLabel};
 use std::f64::consts::TAU;
 
 /// Speed of sound in air at 20 °C, in m/s.
-const SOUND_M_S: f64 = 343.2;
+pub(super) const SOUND_M_S: f64 = 343.2;
 
 /// Share of the strongest mode's reach below which no strike makes a mode heard: −140 dB.
 const UNREACHED: f64 = 1e-7;
@@ -19,6 +19,7 @@ pub(crate) struct Reached {
     /// Decay rates in 1/s by radiation, supports, resonator and felt.
     pub(crate) air: [f32; 4],
     pub(crate) normal: Vec<f32>,
+    pub(crate) label: ModeLabel,
 }
 
 impl Reached {
@@ -78,6 +79,7 @@ pub(crate) fn reached(body: &modes::Body) -> Vec<Reached> {
                     mode.felt_per_s,
                 ],
                 normal,
+                label: mode.label,
             };
             (mode, reach)
         })
@@ -97,6 +99,14 @@ pub(crate) struct Way {
     pub(crate) longer_m: f64,
 }
 
+impl Way {
+    /// As the bank has it.
+    pub(crate) const AS_BUILT: Self = Self {
+        gain: 1.0,
+        longer_m: 0.0,
+    };
+}
+
 /// How a body is heard.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Hearing {
@@ -113,10 +123,7 @@ impl Hearing {
     pub(crate) const AS_BUILT: Self = Self {
         open: 1.0,
         width: 1.0,
-        ways: [Way {
-            gain: 1.0,
-            longer_m: 0.0,
-        }; 2],
+        ways: [Way::AS_BUILT; 2],
     };
 
     /// The same but for the resonator.
@@ -200,7 +207,7 @@ impl Source {
 
 /// Cosine and sine of any angle, without a call to a library.
 #[inline(always)]
-fn delayed(angle: f64) -> (f32, f32) {
+pub(super) fn delayed(angle: f64) -> (f32, f32) {
     // Adding and taking away 1.5·2⁵² rounds to the nearest whole number.
     const WHOLE: f64 = 6_755_399_441_055_744.0;
     let turns = angle / TAU;

@@ -1,6 +1,6 @@
 //! From a note and chance to how fast and where the mallet lands.
 
-use super::Settings;
+use super::{Hit, Settings};
 
 /// Impact speed at full velocity, in m/s.
 const FULL_SPEED_M_S: f64 = 5.0;
@@ -15,24 +15,17 @@ pub(crate) struct Touch {
 }
 
 impl Touch {
-    /// Speed and place of a note of `velocity` 0…1 (what is not, is made so); `chance` is −1…1.
-    pub(crate) fn new(settings: &Settings, velocity: f32, chance: f64) -> Self {
-        let velocity = sane_velocity(velocity);
-        let decibels = settings.velocity_range_db * (velocity - 1.0);
-        let moved = settings.velocity_to_position * velocity + settings.position_scatter * chance;
+    /// Speed and place of a hit, both a little off by `chance`, two numbers in −1…1.
+    pub(crate) fn new(settings: &Settings, hit: &Hit, chance: [f64; 2]) -> Self {
+        let decibels = settings.velocity_range_db * (hit.velocity - 1.0)
+            + settings.speed_scatter_db * chance[1];
+        let moved =
+            settings.velocity_to_position * hit.velocity + settings.position_scatter * chance[0];
         Self {
             speed_m_s: FULL_SPEED_M_S * 10f64.powf(decibels / 20.0),
-            position: reflect(settings.strike_position + 0.5 * moved),
+            position: reflect(settings.strike_position + hit.position + 0.5 * moved),
         }
     }
-}
-
-/// A velocity in 0…1; NaN is taken as 0.
-fn sane_velocity(velocity: f32) -> f64 {
-    if velocity.is_nan() {
-        return 0.0;
-    }
-    f64::from(velocity.clamp(0.0, 1.0))
 }
 
 /// Folds back at the ends of the line.
@@ -50,27 +43,34 @@ pub(crate) fn grain(key: u8, position: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// A number in −1…1 that depends on nothing but its arguments.
-pub(crate) fn chance(key: u8, position: u64) -> f64 {
-    (grain(key, position) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+/// Two numbers in −1…1 that depend on nothing but the arguments.
+pub(crate) fn chance(key: u8, position: u64) -> [f64; 2] {
+    let first = grain(key, position);
+    [first, grain(key, !position)].map(|bits| (bits >> 11) as f64 / (1u64 << 52) as f64 - 1.0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Touch, chance, reflect};
-    use crate::engine::Settings;
+    use crate::engine::{Hit, Settings};
 
     #[test]
     fn velocity_spans_its_range_in_decibels() {
         let settings = Settings::default();
-        let speed = |v| Touch::new(&settings, v, 0.0).speed_m_s;
+        let speed = |v| Touch::new(&settings, &Hit::plain(v).sane(), [0.0; 2]).speed_m_s;
         assert!((speed(1.0) - 5.0).abs() < 1e-12);
         assert!((speed(0.0) - 0.05).abs() < 1e-12);
         assert!((speed(0.5) - 0.5).abs() < 1e-12);
-        for odd in [f32::NAN, -1.0, f32::NEG_INFINITY] {
+        for odd in [f64::NAN, -1.0, f64::NEG_INFINITY] {
             assert_eq!(speed(odd), speed(0.0));
         }
-        assert_eq!(speed(f32::INFINITY), speed(1.0));
+        assert_eq!(speed(f64::INFINITY), speed(1.0));
+        let scattered = Settings {
+            speed_scatter_db: 6.0,
+            ..settings
+        };
+        let most = Touch::new(&scattered, &Hit::plain(0.5), [0.0, 1.0]).speed_m_s;
+        assert!((most / speed(0.5) - 10f64.powf(0.3)).abs() < 1e-12);
     }
 
     #[test]
@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn chance_is_spread_evenly() {
-        let draws: Vec<f64> = (0..10_000).map(|n| chance(60, n * 480)).collect();
+        let draws: Vec<f64> = (0..10_000).map(|n| chance(60, n * 480)[0]).collect();
         let mean = draws.iter().sum::<f64>() / 1e4;
         let square = draws.iter().map(|x| x * x).sum::<f64>() / 1e4;
         assert!(draws.iter().all(|x| (-1.0..=1.0).contains(x)));

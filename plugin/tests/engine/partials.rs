@@ -1,7 +1,7 @@
 //! What rings is what the bank says, at any sample rate.
 
 use crate::support::{chimes, db, expected, fit, left};
-use idiophone::engine::{Engine, Losses, Settings};
+use idiophone::engine::{Engine, Hold, Listener, Losses, Settings, Tweak};
 use idiophone::factory;
 use modes::{Damping, Rayleigh};
 
@@ -27,11 +27,14 @@ fn frequencies_decays_and_levels_at_every_rate() {
         assert!(worst_decay < 1e-4, "{worst_decay} at {rate_hz} Hz");
         levels.push(seen.iter().map(|partial| partial.amplitude).collect());
     }
-    // One partial lies in the notch of the blow's spectrum, at 7.6 kHz, where little makes much.
+    // Where the blow's spectrum has its notches little makes much: there what counts is the share of the
+    // strongest partial.
+    let most = levels[0].iter().fold(0.0, |most: f64, x| most.max(*x));
     for other in &levels[1..] {
         for ((a, b), (hz, _)) in levels[0].iter().zip(other).zip(&expected) {
-            println!("{hz:.0} Hz: {:.4} dB", db(a / b));
-            assert!(db(a / b).abs() < 0.02, "{} dB at {hz} Hz", db(a / b));
+            let (off, share) = (db(a / b), db((a - b).abs() / most));
+            println!("{hz:.0} Hz: {off:.4} dB, {share:.0} dB of the strongest");
+            assert!(off.abs() < 0.02 || share < -90.0, "{off} dB at {hz} Hz");
         }
     }
 }
@@ -43,7 +46,10 @@ fn a_hard_blow_peaks_at_fifteen_below_full_scale_at_most() {
     for key in 60..=84 {
         let mut engine = Engine::new(&bank, 48_000.0);
         engine.set(&Settings {
-            width: 0.0,
+            listener: Listener {
+                width: 0.0,
+                ..Listener::AS_BUILT
+            },
             ..Settings::default()
         });
         engine.reset();
@@ -108,20 +114,30 @@ fn damping_moved_in_mid_note_acts_at_once_and_adds_nothing() {
 }
 
 #[test]
-fn a_released_key_is_damped_unless_the_pedal_holds_it() {
+fn the_damper_takes_what_its_weight_and_the_hand_take() {
     let rate_hz = 48_000.0;
     let bank = chimes([74]);
-    let hand_per_s = 1000f64.ln() / 0.25;
-    for (pedal, extra) in [(false, hand_per_s), (true, 0.0)] {
+    let full_per_s = 1000f64.ln() / 0.25;
+    for (note_off_damps, felt, hand_per_s, extra) in [
+        (true, 1.0, 0.0, full_per_s),
+        (true, 0.25, 3.0, 0.25 * full_per_s + 3.0),
+        (false, 1.0, 0.0, 0.0),
+    ] {
         let mut engine = Engine::new(&bank, rate_hz);
         engine.set(&Settings {
-            note_off_damps: true,
+            note_off_damps,
             ..Settings::default()
         });
         engine.strike(74, 1.0);
-        engine.pedal(pedal);
         let mut signal = left(&mut engine, 4800);
-        engine.release(74);
+        engine.hold(
+            74,
+            &Hold {
+                felt,
+                hand_per_s,
+                ..Hold::FREE
+            },
+        );
         signal.extend(left(&mut engine, 9600));
         let mut damping = bank.damping;
         damping.rayleigh.alpha2_per_s += 2.0 * extra;
@@ -129,8 +145,82 @@ fn a_released_key_is_damped_unless_the_pedal_holds_it() {
         let seen = fit(&signal, rate_hz, &expected[..3], 4864..14_400);
         for (seen, (hz, decay)) in seen.iter().zip(&expected) {
             let error = seen.decay_per_s / decay - 1.0;
-            assert!(error.abs() < 1e-3, "{hz} Hz, pedal {pedal}: {error}");
+            assert!(error.abs() < 1e-3, "{hz} Hz, felt {felt}: {error}");
         }
+    }
+}
+
+/// Bend, tuning, size and material move what rings, where they are asked to.
+#[test]
+fn ringing_partials_move_where_they_are_sent() {
+    let rate_hz = 48_000.0;
+    let bank = chimes([62]);
+    let wanted = [
+        (
+            Hold {
+                bend_semitones: 2.0,
+                ..Hold::FREE
+            },
+            Tweak::NONE,
+            2f64.powf(2.0 / 12.0),
+        ),
+        (
+            Hold {
+                bend_semitones: -0.37,
+                ..Hold::FREE
+            },
+            Tweak::NONE,
+            2f64.powf(-0.37 / 12.0),
+        ),
+        (
+            Hold::FREE,
+            Tweak {
+                size: 1.25,
+                ..Tweak::NONE
+            },
+            0.8,
+        ),
+        (
+            Hold::FREE,
+            Tweak {
+                stiffness: 1.44,
+                density: 4.0,
+                ..Tweak::NONE
+            },
+            0.6,
+        ),
+    ];
+    for (hold, tweak, ratio) in wanted {
+        let mut engine = Engine::new(&bank, rate_hz);
+        engine.strike(62, 1.0);
+        let mut signal = left(&mut engine, 4800);
+        engine.hold(62, &hold);
+        engine.set(&Settings {
+            tweak,
+            ..Settings::default()
+        });
+        signal.extend(left(&mut engine, 16_000));
+        let moved: Vec<(f64, f64)> = expected(&bank.bodies[0], bank.damping)[..3]
+            .iter()
+            .map(|(hz, decay)| (hz * ratio, decay * ratio * ratio))
+            .collect();
+        let seen = fit(&signal, rate_hz, &moved, 6400..20_800);
+        for (seen, (hz, decay)) in seen.iter().zip(&moved) {
+            let cents = 1200.0 * (seen.hz / hz).log2();
+            println!(
+                "{hz:.1} Hz: {cents:.1e} cents, {:.4} of the decay",
+                seen.decay_per_s / decay
+            );
+            assert!(cents.abs() < 0.01, "{cents} cents");
+            assert!((seen.decay_per_s / decay - 1.0).abs() < 0.005);
+        }
+        let steepest = |part: &[f64]| {
+            part.windows(3)
+                .map(|w| (w[0] - 2.0 * w[1] + w[2]).abs())
+                .fold(0.0, f64::max)
+        };
+        let (before, after) = (steepest(&signal[4000..4790]), steepest(&signal[4790..6000]));
+        assert!(after < 1.5 * before * ratio.max(1.0).powi(2), "no click");
     }
 }
 

@@ -1,7 +1,9 @@
 //! The audio thread: no allocation, no cost of silence, nothing but finite sound.
 
 use crate::support::{Random, chimes};
-use idiophone::engine::{Discs, Engine, Losses, Mallet, OUTPUT_BOUND, Settings};
+use idiophone::engine::{
+    Bow, Discs, Engine, Hold, Listener, Losses, Mallet, OUTPUT_BOUND, Settings, Tweak,
+};
 use modes::{Damping, Rayleigh};
 use nice_assert_no_alloc::assert_no_alloc;
 
@@ -82,7 +84,18 @@ fn anything_at_all_leaves_the_output_finite_and_bounded() {
                     engine.strike(key, velocity);
                 }
                 6 => engine.release(key),
-                7 => engine.pedal(random.below(2) == 0),
+                7 => engine.hold(
+                    key,
+                    &Hold {
+                        bend_semitones: wild(&mut random, 48.0),
+                        level: wild(&mut random, 2.0),
+                        pan: wild(&mut random, 1.0),
+                        felt: wild(&mut random, 1.0),
+                        hand_per_s: wild(&mut random, 100.0),
+                        bow_pressure: wild(&mut random, 1.0),
+                        bow_speed_octaves: wild(&mut random, 2.0),
+                    },
+                ),
                 8 => engine.choke(key),
                 9 => match random.below(50) {
                     0 => engine.reset(),
@@ -118,7 +131,25 @@ fn anything_at_all_leaves_the_output_finite_and_bounded() {
                         depth: wild(&mut random, 1.0),
                         phase_deg: wild(&mut random, 180.0),
                     },
-                    width: wild(&mut random, 1.0),
+                    speed_scatter_db: wild(&mut random, 12.0),
+                    bow: Bow {
+                        force_n: wild(&mut random, 20.0),
+                        speed_m_s: wild(&mut random, 2.0),
+                        rubs: random.below(8) == 0,
+                    },
+                    tweak: Tweak {
+                        size: wild(&mut random, 4.0),
+                        stiffness: wild(&mut random, 16.0),
+                        density: wild(&mut random, 16.0),
+                    },
+                    listener: Listener {
+                        width: wild(&mut random, 1.0),
+                        distance: wild(&mut random, 8.0),
+                        angle_deg: wild(&mut random, 90.0),
+                    },
+                    swing: wild(&mut random, 1.0),
+                    sympathy: wild(&mut random, 1.0),
+                    limiter: random.below(2) == 0,
                     gain_db: wild(&mut random, 12.0),
                 }),
             }

@@ -2,7 +2,7 @@
 
 use crate::support::head;
 use crate::support::{Random, beam_shape, chimes, db, expected, fit, left};
-use idiophone::engine::{Discs, Engine, Losses, Mallet, Settings};
+use idiophone::engine::{Discs, Engine, Hold, Listener, Losses, Mallet, Settings};
 use modes::{Damping, Rayleigh};
 
 const RATE_HZ: f64 = 48_000.0;
@@ -212,7 +212,7 @@ fn a_blow_leaves_no_thump() {
 enum Event {
     Strike(u8, f32),
     Release(u8),
-    Pedal(bool),
+    Hold(u8, Hold),
     Choke(u8),
     Set(Settings),
 }
@@ -226,7 +226,17 @@ fn song(keys: &[u8], samples: usize) -> Vec<(usize, Event)> {
             let event = match random.below(8) {
                 0..=3 => Event::Strike(key, random.unit() as f32),
                 4 => Event::Release(key),
-                5 => Event::Pedal(random.below(2) == 0),
+                5 => Event::Hold(
+                    key,
+                    Hold {
+                        bend_semitones: 4.0 * random.unit() - 2.0,
+                        level: random.unit(),
+                        pan: random.unit(),
+                        felt: random.unit(),
+                        bow_pressure: (random.unit() - 0.7).max(0.0),
+                        ..Hold::FREE
+                    },
+                ),
                 6 => Event::Choke(key),
                 _ => Event::Set(Settings {
                     strike_position: random.unit(),
@@ -248,7 +258,12 @@ fn song(keys: &[u8], samples: usize) -> Vec<(usize, Event)> {
                         depth: random.unit(),
                         phase_deg: 180.0 * random.unit(),
                     },
-                    width: random.unit(),
+                    listener: Listener {
+                        width: random.unit(),
+                        distance: 1.0 + random.unit(),
+                        angle_deg: 90.0 * random.unit(),
+                    },
+                    swing: random.unit(),
                     gain_db: -20.0 * random.unit(),
                     ..Settings::default()
                 }),
@@ -284,7 +299,7 @@ fn the_same_bits_at_every_block_size() {
                             engine.strike(*key, *velocity);
                         }
                         Event::Release(key) => engine.release(*key),
-                        Event::Pedal(down) => engine.pedal(*down),
+                        Event::Hold(key, hold) => engine.hold(*key, hold),
                         Event::Choke(key) => engine.choke(*key),
                         Event::Set(settings) => engine.set(settings),
                     }

@@ -137,6 +137,7 @@ fn no_blow_creates_energy() {
         let strike = Strike {
             mallet,
             body_pa: chance.between(1e8, 1e12),
+            heavier: 1.0,
             touch: Touch {
                 speed_m_s: chance.between(1e-3, 10.0),
                 position: chance.unit(),

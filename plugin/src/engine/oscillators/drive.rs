@@ -1,5 +1,6 @@
 //! Modes under a force: every fraction of a sample in f64, in vectors.
 
+use super::super::bow::Rub;
 use super::super::contact::Contact;
 use super::pack::{LANES, Pack};
 use super::tone::{Tone, turned};
@@ -95,6 +96,8 @@ pub(crate) struct Drive<'a> {
     pub(crate) packs: &'a mut [Pack],
     pub(crate) steps: &'a [Step],
     pub(crate) contacts: &'a mut [Contact],
+    /// A bow on it, if there is one.
+    pub(crate) rub: Option<&'a Rub>,
     /// Steps to a sample.
     pub(crate) substeps: u32,
     pub(crate) step_s: f64,
@@ -112,6 +115,7 @@ impl WithSimd for Drive<'_> {
             packs,
             steps,
             contacts,
+            rub,
             substeps,
             step_s,
             fade,
@@ -124,7 +128,7 @@ impl WithSimd for Drive<'_> {
                 let share = from + each * n as f64;
                 heard = [0, 1].map(|ear| old[ear] + (heard[ear] - old[ear]) * share);
             }
-            push(s, packs, steps, contacts, (substeps, step_s));
+            push(s, packs, steps, contacts, rub, (substeps, step_s));
             for contact in contacts.iter_mut().filter(|contact| contact.touches) {
                 let force_n = contact.force_n(step_s * f64::from(substeps));
                 heard = [0, 1].map(|ear| heard[ear] - force_n * contact.still[ear]);
@@ -143,12 +147,23 @@ fn push<S: Simd>(
     packs: &mut [Pack],
     steps: &[Step],
     contacts: &mut [Contact],
+    rub: Option<&Rub>,
     (substeps, step_s): (u32, f64),
 ) {
     let sample_s = step_s * f64::from(substeps);
     let mut touching = contacts.iter_mut().filter(|contact| contact.touches);
     let (first, second) = (touching.next(), touching.next());
     match (first, second) {
+        _ if rub.is_some() => {
+            for _ in 0..substeps {
+                turn(s, packs, steps, false, (&[], 0.0));
+                meet_all(s, packs, contacts, step_s);
+                if let Some(rub) = rub {
+                    let impulse_n_s = rub.meet(speed(s, packs, &rub.reach), step_s);
+                    kick(s, packs, &rub.reach, impulse_n_s);
+                }
+            }
+        }
         (None, _) => {
             turn(s, packs, steps, true, (&[], 0.0));
         }
@@ -170,13 +185,19 @@ fn push<S: Simd>(
         (Some(_), Some(_)) => {
             for _ in 0..substeps {
                 turn(s, packs, steps, false, (&[], 0.0));
-                for contact in contacts.iter_mut().filter(|contact| contact.touches) {
-                    let surface_m_s = speed(s, packs, &contact.reach);
-                    let impulse_n_s = contact.meet(surface_m_s, step_s);
-                    kick(s, packs, &contact.reach, impulse_n_s);
-                }
+                meet_all(s, packs, contacts, step_s);
             }
         }
+    }
+}
+
+/// The blows of all contacts over a step.
+#[inline(always)]
+fn meet_all<S: Simd>(s: S, packs: &mut [Pack], contacts: &mut [Contact], step_s: f64) {
+    for contact in contacts.iter_mut().filter(|contact| contact.touches) {
+        let surface_m_s = speed(s, packs, &contact.reach);
+        let impulse_n_s = contact.meet(surface_m_s, step_s);
+        kick(s, packs, &contact.reach, impulse_n_s);
     }
 }
 
