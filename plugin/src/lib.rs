@@ -9,6 +9,7 @@ mod notes;
 pub mod params;
 mod player;
 mod stage;
+pub mod tuning;
 mod user_folder;
 mod workshop;
 
