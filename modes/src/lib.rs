@@ -39,6 +39,7 @@ mod solved;
 mod strike_line;
 #[cfg(feature = "solve")]
 pub mod tube;
+pub mod tuning;
 
 pub use bank::{Bank, BankError, BankFileError, Body, Ears, Mode, Provenance};
 pub use code::CODE;

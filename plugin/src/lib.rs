@@ -9,7 +9,11 @@ mod notes;
 pub mod params;
 mod player;
 mod stage;
+pub mod tuning;
+mod user_folder;
 mod workshop;
+
+pub use user_folder::user_folder;
 
 use nice_plug::prelude::{
     ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,

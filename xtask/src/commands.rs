@@ -12,6 +12,7 @@ mod pencil;
 mod precompute;
 mod render;
 mod spectrogram;
+mod tuning;
 
 pub use bank::Bank;
 pub use bundle::Bundle;
@@ -25,6 +26,7 @@ pub use pencil::Pencil;
 pub use precompute::Precompute;
 pub use render::Render;
 pub use spectrogram::Spectrogram;
+pub use tuning::Tuning;
 
 use anyhow::Result;
 use clap::Subcommand;
@@ -56,6 +58,8 @@ pub enum Command {
     Spectrogram(Spectrogram),
     /// Draw the modes of one of an instrument's bodies
     Figure(Figure),
+    /// List the keys' pitches in a Scala scale, on a keyboard map
+    Tuning(Tuning),
 }
 
 impl Command {
@@ -78,6 +82,7 @@ impl Command {
             Self::Check(command) => command.run(),
             Self::Spectrogram(command) => command.run(),
             Self::Figure(command) => command.run(),
+            Self::Tuning(command) => command.run(),
         }
     }
 }

@@ -142,3 +142,22 @@ fn spectrogram_refuses_what_is_no_sound() {
     assert_says(&["spectrogram", "missing.wav", out], &["missing.wav"]);
     assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
 }
+
+#[test]
+fn tuning_names_the_file_and_the_line() {
+    let dir = tempfile::tempdir().unwrap();
+    let write = |name: &str, content: &str| {
+        let path = dir.path().join(name);
+        std::fs::write(&path, content).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let scl = write("good.scl", "! good.scl\nOctaves\n1\n2/1\n");
+    let bad = write("bad.scl", "! bad.scl\nA slip\n2\n3/2\n5/0\n");
+    let kbm = write("bad.kbm", "12\n0\n128\n");
+    assert_says(&["tuning", &bad], &["bad.scl: line 5: \"5/0\"", "not be 0"]);
+    assert_says(
+        &["tuning", &scl, "--keyboard", &kbm],
+        &["bad.kbm: line 3: \"128\"", "from 0 to 127"],
+    );
+    assert_says(&["tuning", "missing.scl"], &["missing.scl: cannot read"]);
+}
