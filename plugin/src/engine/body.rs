@@ -263,7 +263,13 @@ impl Body {
 
     /// A bow of `force_n` and `speed_m_s` for the next cell, which begins now; whether it is on the body,
     /// which a force of 0 ends.
-    pub(crate) fn bow(&mut self, kernel: Kernel, force_n: f64, speed_m_s: f64, step_s: f64) -> bool {
+    pub(crate) fn bow(
+        &mut self,
+        kernel: Kernel,
+        force_n: f64,
+        speed_m_s: f64,
+        step_s: f64,
+    ) -> bool {
         let was = self.rub.touches;
         let tones = &self.tones;
         let silent = |pack: usize, lane: usize| tones[pack].is_silent(lane);
@@ -335,7 +341,7 @@ impl Body {
             packs: &mut packs[self.place.clone()][..self.live],
             steps: &self.steps[..self.live],
             contacts: &mut self.mallets,
-            rub: self.rub.touches.then_some(&self.rub),
+            rub: self.rub.touches.then_some(&mut self.rub),
             substeps: self.substeps,
             step_s: step_s / f64::from(self.substeps),
             fade: self.fading.then_some([phase as f64 / cell, 1.0 / cell]),

@@ -1,6 +1,7 @@
 //! A bow on an edge, or a stick around a rim.
 
 use super::friction::rub;
+use super::grain::Grain;
 use super::oscillators::LANES;
 use super::range;
 use super::settings::within;
@@ -19,11 +20,11 @@ pub struct Bow {
 }
 
 impl Bow {
-    /// A player's puja on a bowl: 3 N at 0.3 m/s (Inácio, Henrique & Antunes, Acustica 92, 2006, study 1 to
-    /// 9 N and 0.1 to 0.5 m/s).
+    /// A player's puja on a bowl (Inácio, Henrique & Antunes, The dynamics of Tibetan singing bowls, Acta
+    /// Acustica 92, 2006, study 1 to 9 N and 0.1 to 0.5 m/s).
     pub const DEFAULT: Self = Self {
-        force_n: 3.0,
-        speed_m_s: 0.3,
+        force_n: 6.0,
+        speed_m_s: 0.2,
         rubs: false,
     };
 
@@ -69,7 +70,11 @@ pub(crate) struct Rub {
     mobility: f64,
     force_n: f64,
     speed_m_s: f64,
+    grain: Grain,
 }
+
+/// Share of the force that the grain of hair, wood or leather takes at most: what a mode starts from.
+const GRAIN: f64 = 0.1;
 
 impl Rub {
     /// No bow yet, on modes that move as `grips` say along a rim of `radius_m` or at an edge.
@@ -83,6 +88,7 @@ impl Rub {
             mobility: 0.0,
             force_n: 0.0,
             speed_m_s: 0.0,
+            grain: Grain::new(GRAIN, 1),
         }
     }
 
@@ -101,6 +107,7 @@ impl Rub {
                 return false;
             }
             (self.force_n, self.speed_m_s) = (0.0, speed_m_s);
+            self.grain = Grain::new(GRAIN, 1);
         }
         self.force_n += (force_n - self.force_n) * share;
         self.speed_m_s += (speed_m_s - self.speed_m_s) * share;
@@ -126,10 +133,11 @@ impl Rub {
     /// A step of `step_s` on a surface whose modes move at `surface_m_s`: the impulse that they get, in
     /// N·s.
     #[inline(always)]
-    pub(crate) fn meet(&self, surface_m_s: f64, step_s: f64) -> f64 {
+    pub(crate) fn meet(&mut self, surface_m_s: f64, step_s: f64) -> f64 {
+        let pressed = 1.0 - self.grain.next_share();
         rub(
             self.speed_m_s - surface_m_s,
-            self.force_n * step_s,
+            pressed * self.force_n * step_s,
             self.mobility,
         )
     }

@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use super::grain::Grain;
 use super::hertz::Hertz;
 use super::mallet::Mallet;
 use super::oscillators::LANES;
@@ -37,7 +38,7 @@ pub(crate) struct Contact {
     mobility: f64,
     /// Force of the hand that presses on, in N.
     hand_n: f64,
-    roughness: Roughness,
+    grain: Grain,
     impulse_n_s: f64,
     /// Impulse of the sample before.
     last_n_s: f64,
@@ -77,7 +78,7 @@ impl Contact {
             closing_m_s: 0.0,
             mobility: 1.0,
             hand_n: 0.0,
-            roughness: Roughness::default(),
+            grain: Grain::default(),
             impulse_n_s: 0.0,
             last_n_s: 0.0,
             age_s: 0.0,
@@ -97,10 +98,7 @@ impl Contact {
         self.closing_m_s = blow.speed_m_s;
         self.mobility = 1.0 / mallet.mass_kg + 1.0 / blow.body_kg + blow.mobility;
         self.hand_n = mallet.press_n;
-        self.roughness = Roughness {
-            share: mallet.roughness,
-            state: blow.seed | 1,
-        };
+        self.grain = Grain::new(mallet.roughness, blow.seed);
         self.impulse_n_s = 0.0;
         self.last_n_s = 0.0;
         self.age_s = 0.0;
@@ -118,9 +116,9 @@ impl Contact {
             .step(self.depth_m, closing, self.mobility, step_s);
         let mut impulse = push.impulse_n_s;
         self.depth_m = push.depth_m;
-        if impulse > 0.0 && self.roughness.share > 0.0 {
+        if impulse > 0.0 && self.grain.is_felt() {
             let most = (2.0 * closing / self.mobility).max(0.0);
-            impulse = self.roughness.alter(impulse, closing, most);
+            impulse = self.alter(impulse, closing, most);
             let mean = closing - 0.5 * self.mobility * impulse;
             self.depth_m += step_s * (mean - (closing - 0.5 * self.mobility * push.impulse_n_s));
         }
@@ -129,6 +127,19 @@ impl Contact {
         self.impulse_n_s += impulse;
         self.age_s += step_s;
         impulse
+    }
+
+    /// Grains give way while they are pressed and do not spring back: more than the smooth impulse while
+    /// head and body close in, though no more than `most`, which would stop them; less while they part.
+    /// So this noise only takes energy.
+    #[inline(always)]
+    fn alter(&mut self, impulse: f64, closing: f64, most: f64) -> f64 {
+        let share = self.grain.next_share();
+        if closing <= 0.0 {
+            impulse * (1.0 - share)
+        } else {
+            (impulse * (1.0 + share)).min(most.max(impulse))
+        }
     }
 
     /// Whether head and surface touch, or may within the next sample.
@@ -167,32 +178,5 @@ impl Contact {
     /// The hand no longer presses.
     pub(crate) fn let_go(&mut self) {
         self.hand_n = 0.0;
-    }
-}
-
-/// Grains of head and surface that give way while they are pressed and do not spring back: noise for as
-/// long as there is contact, that only takes energy.
-#[derive(Clone, Copy, Debug, Default)]
-struct Roughness {
-    /// Greatest share of the force that comes or goes, 0…1.
-    share: f64,
-    state: u64,
-}
-
-impl Roughness {
-    /// More than the smooth force while head and body close in, though no more than `most`, which
-    /// would stop them; less than it while they part.
-    #[inline(always)]
-    fn alter(&mut self, impulse: f64, closing: f64, most: f64) -> f64 {
-        // Marsaglia's xorshift (J. Stat. Softw. 8, 2003).
-        self.state ^= self.state << 13;
-        self.state ^= self.state >> 7;
-        self.state ^= self.state << 17;
-        let chance = self.share * ((self.state >> 11) as f64 / (1u64 << 53) as f64);
-        if closing <= 0.0 {
-            impulse * (1.0 - chance)
-        } else {
-            (impulse * (1.0 + chance)).min(most.max(impulse))
-        }
     }
 }

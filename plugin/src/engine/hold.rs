@@ -87,7 +87,13 @@ impl Hit {
     /// The same with every value in its range, and what is not a number as in a plain blow.
     #[must_use]
     pub fn sane(self) -> Self {
-        let within = |value: f64, most: f64| if value.is_nan() { 0.0 } else { value.clamp(-most, most) };
+        let within = |value: f64, most: f64| {
+            if value.is_nan() {
+                0.0
+            } else {
+                value.clamp(-most, most)
+            }
+        };
         Self {
             velocity: within(self.velocity, 1.0).max(0.0),
             position: within(self.position, 1.0),

@@ -8,6 +8,7 @@ mod damper;
 mod friction;
 mod glide;
 mod glides;
+mod grain;
 mod grips;
 mod hertz;
 mod hold;

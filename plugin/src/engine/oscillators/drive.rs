@@ -97,7 +97,7 @@ pub(crate) struct Drive<'a> {
     pub(crate) steps: &'a [Step],
     pub(crate) contacts: &'a mut [Contact],
     /// A bow on it, if there is one.
-    pub(crate) rub: Option<&'a Rub>,
+    pub(crate) rub: Option<&'a mut Rub>,
     /// Steps to a sample.
     pub(crate) substeps: u32,
     pub(crate) step_s: f64,
@@ -115,7 +115,7 @@ impl WithSimd for Drive<'_> {
             packs,
             steps,
             contacts,
-            rub,
+            mut rub,
             substeps,
             step_s,
             fade,
@@ -128,7 +128,14 @@ impl WithSimd for Drive<'_> {
                 let share = from + each * n as f64;
                 heard = [0, 1].map(|ear| old[ear] + (heard[ear] - old[ear]) * share);
             }
-            push(s, packs, steps, contacts, rub, (substeps, step_s));
+            push(
+                s,
+                packs,
+                steps,
+                contacts,
+                rub.as_deref_mut(),
+                (substeps, step_s),
+            );
             for contact in contacts.iter_mut().filter(|contact| contact.touches) {
                 let force_n = contact.force_n(step_s * f64::from(substeps));
                 heard = [0, 1].map(|ear| heard[ear] - force_n * contact.still[ear]);
@@ -147,7 +154,7 @@ fn push<S: Simd>(
     packs: &mut [Pack],
     steps: &[Step],
     contacts: &mut [Contact],
-    rub: Option<&Rub>,
+    mut rub: Option<&mut Rub>,
     (substeps, step_s): (u32, f64),
 ) {
     let sample_s = step_s * f64::from(substeps);
@@ -158,7 +165,7 @@ fn push<S: Simd>(
             for _ in 0..substeps {
                 turn(s, packs, steps, false, (&[], 0.0));
                 meet_all(s, packs, contacts, step_s);
-                if let Some(rub) = rub {
+                if let Some(rub) = &mut rub {
                     let impulse_n_s = rub.meet(speed(s, packs, &rub.reach), step_s);
                     kick(s, packs, &rub.reach, impulse_n_s);
                 }
