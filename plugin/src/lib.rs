@@ -5,6 +5,7 @@
 
 pub mod engine;
 pub mod factory;
+pub mod hands;
 mod notes;
 pub mod params;
 mod player;
