@@ -5,6 +5,7 @@
 
 pub mod engine;
 pub mod factory;
+mod guard;
 mod notes;
 pub mod params;
 mod player;
@@ -156,5 +157,4 @@ impl Vst3Plugin for Idiophone {
         &[Vst3SubCategory::Instrument, Vst3SubCategory::Synth];
 }
 
-nice_plug::nice_export_clap!(Idiophone);
 nice_plug::nice_export_vst3!(Idiophone);
