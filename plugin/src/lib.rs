@@ -5,6 +5,7 @@
 
 pub mod engine;
 pub mod factory;
+mod guard;
 pub mod hands;
 mod notes;
 pub mod params;
@@ -49,6 +50,8 @@ impl Plugin for Idiophone {
     }];
     const MIDI_INPUT: MidiConfig = MidiConfig::MidiCCs;
     const SAMPLE_ACCURATE_AUTOMATION: bool = true;
+    /// Beyond this many events in a block the framework allocates.
+    const INPUT_EVENT_CAPACITY: usize = 8192;
 
     type Editor = ();
     type SysExMessage = ();
@@ -161,5 +164,4 @@ impl Vst3Plugin for Idiophone {
         &[Vst3SubCategory::Instrument, Vst3SubCategory::Synth];
 }
 
-nice_plug::nice_export_clap!(Idiophone);
 nice_plug::nice_export_vst3!(Idiophone);

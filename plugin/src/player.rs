@@ -1,6 +1,7 @@
 //! Host events to engine calls, each at its sample.
 
 use crate::engine::Engine;
+use crate::guard::put_right;
 use crate::notes::{Note, Notes};
 use crate::stage::Stage;
 use nice_plug::midi::Key;
@@ -50,14 +51,15 @@ impl Player {
             done = until;
             // The host counts in u32, and an end belongs to a sample of this block.
             let now = u32::try_from(done.min(frames.saturating_sub(1))).unwrap_or(u32::MAX);
-            let handled = event.take();
-            if let Some(event) = &handled {
-                self.handle::<P>(event, now, context);
+            let over = event.is_none();
+            let api = context.plugin_api();
+            if let Some(event) = event.take().and_then(|event| put_right(event, api)) {
+                self.handle::<P>(&event, now, context);
             }
             while let Some(note) = self.notes.end_one(self.stage.awake()) {
                 end::<P>(note, now, context);
             }
-            if handled.is_none() {
+            if over {
                 return;
             }
             event = context.next_event();

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "tests fail by panicking")]
 
+mod guard;
 mod parameters;
 mod partials;
 mod playing;

@@ -51,7 +51,13 @@ impl<'a> Audio<'a> {
         }
     }
 
-    /// Plays one block as long as the channels are, with events sorted by frame within it.
+    /// Has the plug-in fall silent and forget what it was told.
+    pub fn reset(&mut self) {
+        self.processor.reset();
+    }
+
+    /// Plays one block as long as the channels are, with events at their frames within it, which a
+    /// host sorts.
     ///
     /// The channels are filled with NaN beforehand, so that what is not written is seen.
     ///

@@ -5,9 +5,10 @@ use clack_host::events::event_types::{
     MidiEvent, NoteChokeEvent, NoteOffEvent, NoteOnEvent, ParamValueEvent, TransportEvent,
     TransportFlags,
 };
-use clack_host::events::{EventFlags, EventHeader};
+use clack_host::events::{EventFlags, EventHeader, UnknownEvent};
 use clack_host::prelude::{EventBuffer, Pckn};
 use clack_host::utils::{BeatTime, SecondsTime};
+use std::{ptr, slice};
 
 /// Something that happens to an instrument.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +41,13 @@ pub enum Event {
         channel: u8,
         /// MIDI key, 0…127.
         key: u8,
+    },
+    /// A key goes down, in an event that says it has `size` bytes, true or not.
+    Misformed {
+        /// MIDI key, 0…127.
+        key: u8,
+        /// In bytes.
+        size: u32,
     },
     /// A raw MIDI message: controllers, pitch bend, pressure.
     Midi([u8; 3]),
@@ -117,6 +125,10 @@ impl Event {
                     clack_host::events::Match::All,
                 ),
             )),
+            Self::Misformed { key, size } => {
+                let event = NoteOnEvent::new(time, one(0, key, u32::from(key)), 1.0);
+                misform(event, size, buffer);
+            }
             Self::Midi(bytes) => buffer.push(&MidiEvent::new(time, 0, bytes)),
             Self::Transport {
                 playing,
@@ -127,6 +139,17 @@ impl Event {
                 buffer.push(&ParamValueEvent::new(time, id.0, Pckn::match_all(), value));
             }
         }
+    }
+}
+
+fn misform(mut event: NoteOnEvent, size: u32, buffer: &mut EventBuffer) {
+    // SAFETY: an event begins with its size, and all its bytes are there whatever that says.
+    #[expect(unsafe_code, reason = "no safe call makes such an event")]
+    unsafe {
+        let length = size_of_val(&event);
+        let bytes = slice::from_raw_parts_mut(ptr::from_mut(&mut event).cast::<u8>(), length);
+        bytes[..4].copy_from_slice(&size.to_ne_bytes());
+        buffer.push(UnknownEvent::from_bytes_unchecked(bytes));
     }
 }
 
