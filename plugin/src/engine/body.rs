@@ -8,12 +8,16 @@ use super::losses::Drain;
 use super::mallet::Mallet;
 use super::oscillators::{Drive, Kernel, LANES, Pack, Step, Tone, Tune, TuneSteps};
 use super::source::{Hearing, Source, reached};
+use super::sympathy::{Answer, Feel, Strand};
 use super::touch::Touch;
 use modes::Stencil;
 use std::ops::Range;
 
 /// Amplitude below which a mode is stopped, as a fraction of full scale: −180 dB.
 const FLOOR: f64 = 1e-9;
+
+/// What the support has to do to a silent body in a cell for it to wake: −160 dB.
+const WAKES: f32 = 1e-8;
 
 /// Mallets on a body at the same time.
 pub(crate) const MALLETS: usize = 4;
@@ -59,6 +63,8 @@ pub(crate) struct Body {
     points: usize,
     mallets: [Contact; MALLETS],
     rub: Rub,
+    /// How its lowest modes hang on the common support.
+    strand: Strand,
     steps: Vec<Step>,
     substeps: u32,
     /// What the modes are tuned to.
@@ -116,6 +122,7 @@ impl Body {
                 normal[point * packs * LANES + i] = *value;
             }
         }
+        let strand = Strand::new(tones.first().map_or(&[0.0; LANES], |tone| &tone.rates[1]));
         Self {
             mass_kg: body.mass_kg,
             has_felt: modes.iter().any(|mode| mode.air[3] > 0.0),
@@ -129,6 +136,7 @@ impl Body {
             normal,
             points,
             mallets: std::array::from_fn(|_| Contact::new(packs)),
+            strand,
             rub: grips::bow(&modes, body.line.points_m[0]),
             steps: vec![Step::STILL; packs],
             substeps: 1,
@@ -181,6 +189,7 @@ impl Body {
             packs: &mut packs[self.place.clone()][..count],
             drain: tuned.drain,
             ratio: pitch.then_some(tuned.ratio),
+            gains: moved > 0,
             causes: self
                 .tuned
                 .is_none_or(|old| old.drain.shares() != tuned.drain.shares()),
@@ -384,6 +393,50 @@ impl Body {
         for mallet in &mut self.mallets {
             mallet.let_go();
         }
+    }
+
+    /// Adds what the body does to the common support in the next cell to `all`.
+    pub(crate) fn feel(&mut self, kernel: Kernel, packs: &[Pack], all: &mut [f32; GRID]) {
+        let (Some(tone), Some(pack)) = (self.tones.first(), packs.get(self.place.start)) else {
+            return;
+        };
+        kernel.run(Feel {
+            strand: &mut self.strand,
+            pack,
+            turn: tone.turn(),
+        });
+        for (all, own) in all.iter_mut().zip(&self.strand.moves) {
+            *all += own;
+        }
+    }
+
+    /// Works out what the support, moved by `all` bodies, does to this one in the next cell.
+    pub(crate) fn answer(&mut self, kernel: Kernel, all: &[f32; GRID], share: f32) {
+        if let Some(tone) = self.tones.first() {
+            kernel.run(Answer {
+                strand: &mut self.strand,
+                turn: tone.turn(),
+                all,
+                share,
+            });
+        }
+    }
+
+    /// Gives the modes what the support has done to them in the last cell, if that is or will be heard;
+    /// whether it is.
+    pub(crate) fn take_answer(&mut self, packs: &mut [Pack]) -> bool {
+        let (Some(source), Some(pack)) = (self.sources.first(), packs.get_mut(self.place.start))
+        else {
+            return false;
+        };
+        let [x, y] = &self.strand.answer;
+        let level = |i: usize| x[i].hypot(y[i]) * source.weight[i];
+        if self.live == 0 && (0..LANES).all(|i| level(i) < WAKES) {
+            return false;
+        }
+        self.strand.take(pack);
+        self.live = self.live.max(1);
+        true
     }
 
     /// Stops what is no longer heard; whether anything is left.

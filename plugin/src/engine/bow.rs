@@ -23,8 +23,8 @@ impl Bow {
     /// A player's puja on a bowl (Inácio, Henrique & Antunes, The dynamics of Tibetan singing bowls, Acta
     /// Acustica 92, 2006, study 1 to 9 N and 0.1 to 0.5 m/s).
     pub const DEFAULT: Self = Self {
-        force_n: 6.0,
-        speed_m_s: 0.2,
+        force_n: 10.0,
+        speed_m_s: 0.15,
         rubs: false,
     };
 

@@ -8,8 +8,10 @@ use super::hertz::Hertz;
 use super::mallet::Mallet;
 use super::oscillators::LANES;
 
-/// Longest that a mallet stays, in s: then the hand takes it away.
-const LONGEST_S: f64 = 0.25;
+/// Longest that a mallet stays, in s: then the hand takes it away, one that bounces sooner than one that
+/// it presses on.
+const BOUNCES_S: f64 = 0.02;
+const PRESSED_S: f64 = 0.25;
 
 /// One mallet on one body.
 ///
@@ -162,7 +164,8 @@ impl Contact {
     pub(crate) fn is_over(&self, swing_m: f64) -> bool {
         let away = self.body_m_s > self.speed_m_s && self.hand_n == 0.0;
         let clear = away && self.depth_m < -2.0 * swing_m;
-        self.last_n_s == 0.0 && clear || self.age_s > LONGEST_S
+        self.last_n_s == 0.0 && (clear || self.age_s > BOUNCES_S && self.hand_n == 0.0)
+            || self.age_s > PRESSED_S
     }
 
     /// Whether the mallet moves away, or has been there longer than `other`: the one to give way.

@@ -113,6 +113,11 @@ impl Glides {
         }
     }
 
+    /// Factor on what the supports take.
+    pub(super) fn supports(&self) -> f64 {
+        self.now[5]
+    }
+
     /// How the resonators' discs turn.
     pub(super) fn discs(&self) -> Discs {
         Discs {

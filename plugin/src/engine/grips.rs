@@ -6,6 +6,9 @@ use super::source::Reached;
 use modes::{Family, Member};
 use std::f64::consts::FRAC_PI_2;
 
+/// Frequency in Hz from which on hair, leather and their width give way instead of moving the surface.
+const YIELDS_HZ: f64 = 1500.0;
+
 /// The bow for a body with these modes, whose strike line begins at `start_m`.
 ///
 /// A shell is rubbed around its rim: of a mode with m waves that moves U outwards at its crests the wall
@@ -23,7 +26,12 @@ pub(super) fn bow(modes: &[Reached], start_m: [f64; 3]) -> Rub {
         } else {
             Some(edge(mode))
         };
-        grips[i / LANES][i % LANES] = grip.unwrap_or_default();
+        let firm = 1.0 / (1.0 + (mode.hz / YIELDS_HZ).powi(2));
+        let grip = grip.unwrap_or_default();
+        grips[i / LANES][i % LANES] = Grip {
+            size: firm * grip.size,
+            ..grip
+        };
     }
     let radius_m = start_m[0].hypot(start_m[1]);
     Rub::new(grips, (shell && radius_m > 0.0).then_some(radius_m))

@@ -417,7 +417,44 @@ impl Engine {
         }
         self.rest();
         self.rub();
+        self.sympathise();
         self.ring();
+    }
+
+    /// What the common support does to all bodies.
+    fn sympathise(&mut self) {
+        let sympathy = self.glides.sympathy();
+        if sympathy == 0.0 {
+            return;
+        }
+        for key in 0..128 {
+            let slot = usize::from(key);
+            let Some(body) = self.bodies[slot].as_mut() else {
+                continue;
+            };
+            if body.take_answer(&mut self.packs) && self.awake & bit(key) == 0 {
+                self.awake |= bit(key);
+                body.fading = false;
+            }
+        }
+        let mut all = [0.0; GRID];
+        for key in keys(self.awake) {
+            if let Some(body) = self.bodies[usize::from(key)].as_mut() {
+                body.feel(self.kernel, &self.packs, &mut all);
+            }
+        }
+        let joined = self.bodies.iter().flatten().count().max(1) as f64;
+        let share = sympathy * self.glides.supports().min(1.0) * self.step_s / joined;
+        for key in 0..128 {
+            let (tuned, hearing) = (self.tuned(key), self.hearing(key));
+            let Some(body) = self.bodies[usize::from(key)].as_mut() else {
+                continue;
+            };
+            if self.awake & bit(key) == 0 {
+                body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s);
+            }
+            body.answer(self.kernel, &all, share as f32);
+        }
     }
 
     /// A cell of what rings freely.

@@ -24,6 +24,7 @@ pub mod range;
 mod settings;
 mod source;
 mod swing;
+mod sympathy;
 mod touch;
 mod tweak;
 

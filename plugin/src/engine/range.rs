@@ -25,7 +25,7 @@ pub const PRESS_N: RangeInclusive<f64> = 0.0..=50.0;
 /// Impact speed between the softest and the hardest touch, in dB.
 pub const VELOCITY_RANGE_DB: RangeInclusive<f64> = 0.0..=60.0;
 /// Force of the bow at full pressure, in N.
-pub const BOW_N: RangeInclusive<f64> = 0.0..=20.0;
+pub const BOW_N: RangeInclusive<f64> = 0.0..=40.0;
 /// Speed of the bow, in m/s.
 pub const BOW_M_S: RangeInclusive<f64> = 0.01..=2.0;
 /// Stiffness-proportional damping, in s; O'Brien 2002, Table 1 has 1e-7 (metal) to 8e-6 (wood).

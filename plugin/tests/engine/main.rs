@@ -1,5 +1,6 @@
 //! The engine against closed forms, and against itself.
 
+mod hands;
 mod motor;
 mod partials;
 mod real_time;

@@ -224,7 +224,7 @@ fn turn<S: Simd>(
     for (i, (pack, step)) in packs.iter_mut().zip(steps).enumerate() {
         let reach = S::as_simd_f64s(reach.get(i).unwrap_or(NOWHERE)).0;
         let turn = if whole { &step.whole } else { &step.part };
-        let [re, im] = turn.each_ref().map(|x| S::as_simd_f64s(x).0);
+        let (re, im) = (S::as_simd_f64s(&turn[0]).0, S::as_simd_f64s(&turn[1]).0);
         let x = S::as_mut_simd_f64s(&mut pack.x).0;
         let y = S::as_mut_simd_f64s(&mut pack.y).0;
         for v in 0..x.len() {
@@ -242,19 +242,26 @@ fn turn<S: Simd>(
 /// What is heard of all modes now, with gains at the end of the cell (0) or at its start (1).
 #[inline(always)]
 fn hear<S: Simd>(s: S, packs: &[Pack], steps: &[Step], when: usize) -> [f64; 2] {
-    let mut sums = [[s.splat_f64s(0.0); 2]; 2];
+    // Four sums to an ear, lest each wait for the last.
+    let mut sums = [[[s.splat_f64s(0.0); 2]; 2]; 2];
     for (pack, step) in packs.iter().zip(steps) {
         let x = S::as_simd_f64s(&pack.x).0;
         let y = S::as_simd_f64s(&pack.y).0;
         for (sums, [from_x, from_y]) in sums.iter_mut().zip(&step.hear[when]) {
-            let [from_x, from_y] = [from_x, from_y].map(|gain| S::as_simd_f64s(gain).0);
+            let (from_x, from_y) = (S::as_simd_f64s(from_x).0, S::as_simd_f64s(from_y).0);
             for v in 0..x.len() {
-                sums[0] = s.mul_add_e_f64s(from_x[v], x[v], sums[0]);
-                sums[1] = s.mul_add_e_f64s(from_y[v], y[v], sums[1]);
+                let [along, across] = &mut sums[v % 2];
+                *along = s.mul_add_e_f64s(from_x[v], x[v], *along);
+                *across = s.mul_add_e_f64s(from_y[v], y[v], *across);
             }
         }
     }
-    sums.map(|[a, b]| s.reduce_sum_f64s(s.add_f64s(a, b)))
+    let mut heard = [0.0; 2];
+    // Plain loops: a closure would not be compiled for these vectors.
+    for (heard, [[a, b], [c, d]]) in heard.iter_mut().zip(sums) {
+        *heard = s.reduce_sum_f64s(s.add_f64s(s.add_f64s(a, b), s.add_f64s(c, d)));
+    }
+    heard
 }
 
 /// Speed of the surface where modes move as `reach` says, in m/s.

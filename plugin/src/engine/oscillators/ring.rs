@@ -37,7 +37,8 @@ impl Ring<'_> {
     #[inline(always)]
     fn fly<S: Simd, const V: usize, const P: usize>(self, s: S) {
         let mut sums = Sums([[s.splat_f32s(0.0); 2]; GRID]);
-        for range in self.ranges {
+        // What was tuned last is nearest in the cache.
+        for range in self.ranges.iter().rev() {
             let packs = &mut self.packs[range.clone()];
             let mut flights = packs.chunks_exact_mut(P);
             for flight in &mut flights {
@@ -78,7 +79,8 @@ fn cell<S: Simd, const V: usize, const P: usize>(
             let [mut left, mut right] = sums.0[hop * HOP + j];
             for p in 0..P {
                 let [[lx, ly], [rx, ry]] = &packs[p].hear[j];
-                let [lx, ly, rx, ry] = [lx, ly, rx, ry].map(|h| S::as_simd_f32s(h).0);
+                let (lx, ly) = (S::as_simd_f32s(lx).0, S::as_simd_f32s(ly).0);
+                let (rx, ry) = (S::as_simd_f32s(rx).0, S::as_simd_f32s(ry).0);
                 for v in 0..V {
                     left = s.mul_add_e_f32s(lx[v], x[p][v], left);
                     right = s.mul_add_e_f32s(rx[v], x[p][v], right);

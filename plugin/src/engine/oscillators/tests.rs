@@ -25,6 +25,7 @@ fn tune(kernel: Kernel, tones: &mut [Tone], packs: &mut [Pack], drain: Drain, st
         packs,
         drain,
         ratio: Some(1.0),
+        gains: true,
         causes: true,
         step_s,
     });

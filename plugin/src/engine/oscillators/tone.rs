@@ -1,6 +1,6 @@
 //! Sixteen modes as the bank gives them, and what the player makes of them.
 
-use super::pack::LANES;
+use super::pack::{HOP, LANES};
 
 /// Modes from this share of half the sample rate on are silent, not aliased.
 pub(super) const HIGHEST: f64 = 0.99;
@@ -18,18 +18,21 @@ pub(crate) struct Tone {
     pub(crate) rates: [[f32; LANES]; CAUSES],
     /// What of x and y reaches the left and the right ear.
     pub(crate) gain: [[[f32; LANES]; 2]; 2],
+    /// exp(iωTk) for k = 1…4, or 0 for a mode that is never heard.
+    pub(super) turns: [[[f32; LANES]; 2]; HOP],
+    // From the last turn on, side by side, lies what moving damping reads.
+    /// What samples 1…3 of a hop would hear of x and y at its first if nothing were damped.
+    pub(super) undamped: [[[[f32; LANES]; 2]; 2]; HOP - 1],
     /// Undamped angular frequency as played, in rad/s.
     pub(super) played: [f32; LANES],
     /// Its inverse, in s.
     pub(super) inverse: [f32; LANES],
-    /// exp(iωTk) for k = 1…4, or 0 for a mode that is never heard.
-    pub(super) turns: [[[f32; LANES]; 2]; 4],
-    /// exp(iωT) to the power of the cell's samples.
-    pub(super) cell: [[f64; LANES]; 2],
     /// Decay rate from outside the material, in 1/s.
     pub(super) outside: [f32; LANES],
     /// Decay rate as played, in 1/s.
     pub(crate) decay: [f32; LANES],
+    /// exp(iωT) to the power of the cell's samples.
+    pub(super) cell: [[f64; LANES]; 2],
 }
 
 impl Tone {
@@ -40,7 +43,8 @@ impl Tone {
         gain: [[[0.0; LANES]; 2]; 2],
         played: [1e4; LANES],
         inverse: [1e-4; LANES],
-        turns: [[[0.0; LANES]; 2]; 4],
+        turns: [[[0.0; LANES]; 2]; HOP],
+        undamped: [[[[0.0; LANES]; 2]; 2]; HOP - 1],
         cell: [[0.0; LANES]; 2],
         outside: [0.0; LANES],
         decay: [0.0; LANES],
@@ -63,7 +67,7 @@ impl Tone {
             self.inverse[i] = (1.0 / omega) as f32;
         }
         let mut power = turn;
-        for k in 0..4 {
+        for k in 0..HOP {
             for i in 0..LANES {
                 self.turns[k][0][i] = power[0][i] as f32;
                 self.turns[k][1][i] = power[1][i] as f32;
@@ -82,6 +86,25 @@ impl Tone {
             }
             samples *= 2;
         }
+    }
+
+    /// Takes up gains or a pitch that have moved.
+    #[inline(always)]
+    pub(super) fn hear(&mut self) {
+        for (undamped, turn) in self.undamped.iter_mut().zip(&self.turns) {
+            let [re, im] = turn;
+            for ([to_x, to_y], [x, y]) in undamped.iter_mut().zip(&self.gain) {
+                for i in 0..LANES {
+                    to_x[i] = x[i] * re[i] + y[i] * im[i];
+                    to_y[i] = y[i] * re[i] - x[i] * im[i];
+                }
+            }
+        }
+    }
+
+    /// Real and imaginary part of exp(iωT).
+    pub(crate) fn turn(&self) -> &[[f32; LANES]; 2] {
+        &self.turns[0]
     }
 
     /// Whether the mode is too high to be heard at this sample rate.

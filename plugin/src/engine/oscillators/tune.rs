@@ -13,6 +13,8 @@ pub(crate) struct Tune<'a> {
     pub(crate) packs: &'a mut [Pack],
     pub(crate) drain: Drain,
     pub(crate) ratio: Option<f64>,
+    /// Whether gains have moved.
+    pub(crate) gains: bool,
     /// Whether the shares of the causes outside the material have moved.
     pub(crate) causes: bool,
     pub(crate) step_s: f64,
@@ -31,10 +33,11 @@ impl WithSimd for Tune<'_> {
             if self.causes {
                 outside(s, tone, &self.drain);
             }
-            let most = decay(s, tone, &self.drain, step_s as f32);
-            for bus in 0..2 {
-                pack.hear[0][bus] = tone.gain[bus];
+            if self.gains || self.ratio.is_some() {
+                tone.hear();
+                pack.hear[0] = tone.gain;
             }
+            let most = decay(s, tone, &self.drain, step_s as f32);
             if most.lost * (GRID as f32) < 0.3 && most.shifted < 1e-4 {
                 few(s, tone, step_s as f32, pack);
             } else {
@@ -53,30 +56,24 @@ struct Most {
 /// What the causes outside the material take of all modes.
 #[inline(always)]
 fn outside<S: Simd>(s: S, tone: &mut Tone, drain: &Drain) {
-    let shares = drain.shares().map(|share| s.splat_f32s(share as f32));
-    let rates = tone.rates.each_ref().map(|rates| S::as_simd_f32s(rates).0);
-    for (v, outside) in S::as_mut_simd_f32s(&mut tone.outside)
-        .0
-        .iter_mut()
-        .enumerate()
-    {
-        let mut sum = s.splat_f32s(0.0);
-        for (share, rates) in shares.iter().zip(&rates) {
-            sum = s.mul_add_e_f32s(*share, rates[v], sum);
+    let shares = drain.shares();
+    let Tone { rates, outside, .. } = tone;
+    *outside = [0.0; LANES];
+    for (share, rates) in shares.iter().zip(&*rates) {
+        let share = s.splat_f32s(*share as f32);
+        let outside = S::as_mut_simd_f32s(outside).0.iter_mut();
+        for (outside, rate) in outside.zip(S::as_simd_f32s(rates).0) {
+            *outside = s.mul_add_e_f32s(share, *rate, *outside);
         }
-        *outside = sum;
     }
 }
 
 /// Decay rates of all modes: by the material, from outside, and by hand.
 #[inline(always)]
 fn decay<S: Simd>(s: S, tone: &mut Tone, drain: &Drain, step_s: f32) -> Most {
-    let [alpha1, loss, even] = [
-        0.5 * drain.alpha1_s,
-        0.5 * drain.loss_factor,
-        0.5 * drain.alpha2_per_s + drain.hand_per_s,
-    ]
-    .map(|x| s.splat_f32s(x as f32));
+    let alpha1 = s.splat_f32s((0.5 * drain.alpha1_s) as f32);
+    let loss = s.splat_f32s((0.5 * drain.loss_factor) as f32);
+    let even = s.splat_f32s((0.5 * drain.alpha2_per_s + drain.hand_per_s) as f32);
     let omega = S::as_simd_f32s(&tone.played).0;
     let inverse = S::as_simd_f32s(&tone.inverse).0;
     let outside = S::as_simd_f32s(&tone.outside).0;
@@ -98,22 +95,29 @@ fn decay<S: Simd>(s: S, tone: &mut Tone, drain: &Drain, step_s: f32) -> Most {
     }
 }
 
+/// x times the polynomial with these terms, the highest first.
+#[inline(always)]
+fn series<S: Simd, const N: usize>(s: S, x: S::f32s, terms: [f32; N]) -> S::f32s {
+    let mut sum = s.splat_f32s(0.0);
+    for term in terms {
+        sum = s.mul_add_e_f32s(x, sum, s.splat_f32s(term));
+    }
+    s.mul_f32s(x, sum)
+}
+
+/// (1 + a)(1 + b) − 1.
+#[inline(always)]
+fn one_more<S: Simd>(s: S, a: S::f32s, b: S::f32s) -> S::f32s {
+    s.mul_add_e_f32s(a, b, s.add_f32s(a, b))
+}
+
 /// Steps of modes that lose less than a third in a cell and whose frequency damping hardly shifts.
 ///
 /// With x = −dT, q = d/ω and the shift t = (ω − Ω)T = q²ωT/2 + …: exp(kx − ikt) − 1 for k = 1…4, and for the cell.
 #[inline(always)]
 fn few<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) {
     let mut cell = [[0.0; LANES]; 2];
-    let splat = |x: f32| s.splat_f32s(x);
-    let series = |x: S::f32s, terms: &[f32]| {
-        let mut sum = splat(0.0);
-        for term in terms {
-            sum = s.mul_add_e_f32s(x, sum, splat(*term));
-        }
-        s.mul_f32s(x, sum)
-    };
-    let one_more = |a: S::f32s, b: S::f32s| s.mul_add_e_f32s(a, b, s.add_f32s(a, b));
-    let (down, cells) = (splat(-step_s), splat(GRID as f32));
+    let (down, cells) = (s.splat_f32s(-step_s), s.splat_f32s(GRID as f32));
     let decays = S::as_simd_f32s(&tone.decay).0;
     let inverse = S::as_simd_f32s(&tone.inverse).0;
     for v in 0..decays.len() {
@@ -121,16 +125,16 @@ fn few<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) {
         let q = s.mul_f32s(decays[v], inverse[v]);
         let square = s.mul_f32s(q, q);
         // (1 − √(1 − q²)) over q²/2.
-        let more = s.mul_add_e_f32s(square, splat(5.0 / 64.0), splat(1.0 / 8.0));
-        let more = s.mul_add_e_f32s(square, more, splat(0.25));
-        let more = s.mul_add_e_f32s(square, more, splat(1.0));
+        let more = s.mul_add_e_f32s(square, s.splat_f32s(5.0 / 64.0), s.splat_f32s(1.0 / 8.0));
+        let more = s.mul_add_e_f32s(square, more, s.splat_f32s(0.25));
+        let more = s.mul_add_e_f32s(square, more, s.splat_f32s(1.0));
         // −t, as −d is −x/T.
-        let turn = s.mul_f32s(s.mul_f32s(x, q), s.mul_f32s(more, splat(0.5)));
-        let one = series(x, &[1.0 / 6.0, 0.5, 1.0]);
-        let two = one_more(one, one);
-        let lost = [one, two, one_more(one, two), one_more(two, two)];
+        let turn = s.mul_f32s(s.mul_f32s(x, q), s.mul_f32s(more, s.splat_f32s(0.5)));
+        let one = series(s, x, [1.0 / 6.0, 0.5, 1.0]);
+        let two = one_more(s, one, one);
+        let lost = [one, two, one_more(s, one, two), one_more(s, two, two)];
         for (k, lost) in lost.into_iter().enumerate() {
-            let turn = s.mul_f32s(turn, splat((k + 1) as f32));
+            let turn = s.mul_f32s(turn, s.splat_f32s((k + 1) as f32));
             put(
                 s,
                 tone,
@@ -140,17 +144,18 @@ fn few<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) {
             );
         }
         let lost = series(
+            s,
             s.mul_f32s(x, cells),
-            &[1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0],
+            [1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0],
         );
         let turn = s.mul_f32s(turn, cells);
         let square = s.mul_f32s(turn, turn);
-        let left = s.add_f32s(lost, splat(1.0));
+        let left = s.add_f32s(lost, s.splat_f32s(1.0));
         let sine = s.mul_f32s(
             turn,
-            s.mul_add_e_f32s(square, splat(-1.0 / 6.0), splat(1.0)),
+            s.mul_add_e_f32s(square, s.splat_f32s(-1.0 / 6.0), s.splat_f32s(1.0)),
         );
-        let re = s.mul_add_e_f32s(s.mul_f32s(left, square), splat(-0.5), lost);
+        let re = s.mul_add_e_f32s(s.mul_f32s(left, square), s.splat_f32s(-0.5), lost);
         S::as_mut_simd_f32s(&mut cell[0]).0[v] = re;
         S::as_mut_simd_f32s(&mut cell[1]).0[v] = s.mul_f32s(left, sine);
     }
@@ -202,7 +207,7 @@ fn any<S: Simd>(s: S, tone: &Tone, step_s: f64, pack: &mut Pack) {
         (cell[0][i], cell[1][i]) = (re as f32, im as f32);
     }
     for (k, hop) in hop.iter().enumerate() {
-        let [a, b] = hop.each_ref().map(|x| S::as_simd_f32s(x).0);
+        let (a, b) = (S::as_simd_f32s(&hop[0]).0, S::as_simd_f32s(&hop[1]).0);
         for v in 0..a.len() {
             put(s, tone, pack, (k, v), [a[v], b[v]]);
         }
@@ -212,22 +217,27 @@ fn any<S: Simd>(s: S, tone: &Tone, step_s: f64, pack: &mut Pack) {
 
 /// One vector `v` of a pack, k + 1 samples on, given what damping makes of the turns: what a sample hears,
 /// or the step to the next hop.
+///
+/// What is heard of z(1 + a + ib) is what was heard of z, turned: its real part with x, its imaginary
+/// part with y.
 #[inline(always)]
 fn put<S: Simd>(s: S, tone: &Tone, pack: &mut Pack, (k, v): (usize, usize), lost: [S::f32s; 2]) {
-    let [re, im] = tone.turns[k].each_ref().map(|x| S::as_simd_f32s(x).0[v]);
     let [a, b] = lost;
-    let along = s.negate_mul_add_e_f32s(im, b, s.mul_add_e_f32s(re, a, re));
-    let across = s.mul_add_e_f32s(re, b, s.mul_add_e_f32s(im, a, im));
     if k + 1 == HOP {
-        S::as_mut_simd_f32s(&mut pack.hop_re).0[v] = along;
-        S::as_mut_simd_f32s(&mut pack.hop_im).0[v] = across;
+        let [re, im] = &tone.turns[k];
+        let (re, im) = (S::as_simd_f32s(re).0[v], S::as_simd_f32s(im).0[v]);
+        S::as_mut_simd_f32s(&mut pack.hop_re).0[v] =
+            s.negate_mul_add_e_f32s(im, b, s.mul_add_e_f32s(re, a, re));
+        S::as_mut_simd_f32s(&mut pack.hop_im).0[v] =
+            s.mul_add_e_f32s(re, b, s.mul_add_e_f32s(im, a, im));
         return;
     }
-    for bus in 0..2 {
-        let [x, y] = tone.gain[bus].each_ref().map(|x| S::as_simd_f32s(x).0[v]);
-        let [hear_x, hear_y] = &mut pack.hear[k + 1][bus];
-        S::as_mut_simd_f32s(hear_x).0[v] = s.mul_add_e_f32s(y, across, s.mul_f32s(x, along));
-        S::as_mut_simd_f32s(hear_y).0[v] = s.negate_mul_add_e_f32s(x, across, s.mul_f32s(y, along));
+    for (heard, undamped) in pack.hear[k + 1].iter_mut().zip(&tone.undamped[k]) {
+        let [x, y] = undamped;
+        let (x, y) = (S::as_simd_f32s(x).0[v], S::as_simd_f32s(y).0[v]);
+        let [hear_x, hear_y] = heard;
+        S::as_mut_simd_f32s(hear_x).0[v] = s.mul_add_e_f32s(y, b, s.mul_add_e_f32s(x, a, x));
+        S::as_mut_simd_f32s(hear_y).0[v] = s.negate_mul_add_e_f32s(x, b, s.mul_add_e_f32s(y, a, y));
     }
 }
 
@@ -240,8 +250,11 @@ fn put_cell<S: Simd>(s: S, tone: &Tone, pack: &mut Pack, lost: &[[f32; LANES]; 2
             wide[i] = f64::from(lost[i]);
         }
     }
-    let [a, b] = wide.each_ref().map(|x| S::as_simd_f64s(x).0);
-    let [re, im] = tone.cell.each_ref().map(|x| S::as_simd_f64s(x).0);
+    let (a, b) = (S::as_simd_f64s(&wide[0]).0, S::as_simd_f64s(&wide[1]).0);
+    let (re, im) = (
+        S::as_simd_f64s(&tone.cell[0]).0,
+        S::as_simd_f64s(&tone.cell[1]).0,
+    );
     let cell_re = S::as_mut_simd_f64s(&mut pack.cell_re).0;
     let cell_im = S::as_mut_simd_f64s(&mut pack.cell_im).0;
     for v in 0..a.len() {
