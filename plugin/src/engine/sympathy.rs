@@ -29,13 +29,18 @@ impl Strand {
         }
     }
 
+    /// Forgets what the support has done.
+    pub(crate) fn hush(&mut self) {
+        self.answer = [[0.0; LANES]; 2];
+    }
+
     /// Gives the modes what the support has done to them.
     pub(crate) fn take(&mut self, pack: &mut Pack) {
         for i in 0..LANES {
             pack.x[i] += f64::from(self.answer[0][i]);
             pack.y[i] += f64::from(self.answer[1][i]);
         }
-        self.answer = [[0.0; LANES]; 2];
+        self.hush();
     }
 }
 

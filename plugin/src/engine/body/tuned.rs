@@ -1,0 +1,90 @@
+//! A body's modes as they are tuned and heard now.
+
+use super::Body;
+use crate::engine::losses::Drain;
+use crate::engine::oscillators::{Kernel, Pack, Tune, TuneSteps};
+use crate::engine::source::Hearing;
+
+/// Everything that the steps of a body's modes depend on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tuned {
+    pub(crate) drain: Drain,
+    /// Frequencies over those as built.
+    pub(crate) ratio: f64,
+}
+
+/// How many leading packs are to be heard otherwise than before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Moved(pub(crate) usize);
+
+impl Moved {
+    pub(crate) const NONE: Self = Self(0);
+}
+
+impl Body {
+    /// Which packs are to be heard otherwise now.
+    pub(crate) fn moved(&self, hearing: &Hearing) -> Moved {
+        match &self.heard {
+            Some(heard) if heard == hearing => Moved::NONE,
+            Some(heard) if heard.without_pipe() == hearing.without_pipe() => Moved(self.piped),
+            _ => Moved(self.tones.len()),
+        }
+    }
+
+    /// Tunes the modes, if they are not tuned so or are to be heard otherwise.
+    pub(crate) fn tune(
+        &mut self,
+        kernel: Kernel,
+        packs: &mut [Pack],
+        tuned: Tuned,
+        hearing: &Hearing,
+        step_s: f64,
+    ) {
+        let Moved(moved) = self.moved(hearing);
+        for (tone, source) in self.tones.iter_mut().zip(&self.sources).take(moved) {
+            source.gains(hearing, &tone.omega, &mut tone.gain);
+        }
+        self.heard = Some(*hearing);
+        let pitch = self.tuned.is_none_or(|old| old.ratio != tuned.ratio);
+        let all = self.tuned != Some(tuned);
+        let count = if all { self.tones.len() } else { moved };
+        if count == 0 {
+            return;
+        }
+        kernel.run(Tune {
+            tones: &mut self.tones[..count],
+            packs: &mut packs[self.place.clone()][..count],
+            drain: tuned.drain,
+            ratio: pitch.then_some(tuned.ratio),
+            gains: moved > 0,
+            causes: self
+                .tuned
+                .is_none_or(|old| old.drain.shares() != tuned.drain.shares()),
+            step_s,
+        });
+        self.tuned = Some(tuned);
+        if moved > 0 {
+            self.listen(moved, self.live == 0);
+        }
+        if self.driven && all {
+            self.tune_steps(kernel, step_s);
+        }
+    }
+
+    pub(super) fn tune_steps(&mut self, kernel: Kernel, sample_s: f64) {
+        kernel.run(TuneSteps {
+            tones: &self.tones,
+            steps: &mut self.steps,
+            ratio: self.tuned.map_or(1.0, |tuned| tuned.ratio),
+            sample_s,
+            substeps: self.substeps,
+        });
+    }
+
+    /// Takes the gains over to where the modes are pushed.
+    fn listen(&mut self, packs: usize, at_once: bool) {
+        for (step, tone) in self.steps.iter_mut().zip(&self.tones).take(packs) {
+            step.listen(tone, at_once);
+        }
+    }
+}

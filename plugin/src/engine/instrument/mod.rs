@@ -1,0 +1,235 @@
+//! A body for each key, and their mix.
+
+mod cells;
+mod playing;
+
+use super::body::Body;
+use super::cell::Cell;
+use super::glides::Glides;
+use super::level::full_scales;
+use super::limiter::Limiter;
+use super::mallet::contact_modulus_pa;
+use super::motor::Motor;
+use super::oscillators::{Kernel, Pack, Vectors};
+use super::source::Way;
+use super::swing::Swing;
+use super::{GRID, Settings};
+use modes::{Bank, Damping, Stencil};
+use playing::Hand;
+
+/// No sample is ever beyond this, whatever is played: 36 dB over full scale, with the limiter off. Below
+/// it (with the limiter, below full scale) the output is the sum of the modes, bit for bit.
+pub const OUTPUT_BOUND: f32 = 64.0;
+
+/// Cells of the grid between two looks at whether a body still sounds.
+const LOOKS: u64 = 8;
+
+/// Sample rates there are coefficients for, in Hz.
+const RATES_HZ: (f64, f64) = (1e3, 768e3);
+
+/// An instrument that rings: strikes in, sound out.
+///
+/// Nothing but [`Engine::new`] allocates, and the output does not depend on how calls of
+/// [`Engine::process`] cut the time.
+pub struct Engine {
+    bodies: Vec<Option<Body>>,
+    /// The modes of all bodies.
+    packs: Vec<Pack>,
+    /// What the material of the bodies takes by itself.
+    own: Damping,
+    /// E/(1 − ν²) of that material, in Pa.
+    modulus_pa: f64,
+    /// Where the bank has the listener's ears, in m.
+    ears_m: [[f64; 3]; 2],
+    awake: u128,
+    /// Bodies that something pushes.
+    driven: u128,
+    /// Bodies that a hand silences.
+    choked: u128,
+    /// What hands do to each key's body.
+    hands: [Hand; 128],
+    /// Bodies on which a bow is, or is to be.
+    bowed: u128,
+    swings: [Swing; 128],
+    settings: Settings,
+    glides: Glides,
+    motor: Motor,
+    /// Ways to the ears at the end of this cell, and frequencies over those as built.
+    ways: [Way; 2],
+    pitch: f64,
+    /// What rings freely in this cell of the grid.
+    cell: Cell,
+    /// Output gain at the start of the cell and at its end.
+    gain: [f64; 2],
+    limiter: Limiter,
+    kernel: Kernel,
+    step_s: f64,
+    position: u64,
+}
+
+/// The keys whose bits are set, from the lowest.
+fn keys(mut bits: u128) -> impl Iterator<Item = u8> {
+    std::iter::from_fn(move || {
+        let key = u8::try_from(bits.trailing_zeros())
+            .ok()
+            .filter(|k| *k < 128)?;
+        bits &= bits - 1;
+        Some(key)
+    })
+}
+
+/// A sample as the host gets it: bounded, and never a denormal.
+fn finish(sample: f64) -> f32 {
+    let bound = f64::from(OUTPUT_BOUND);
+    // `max` and `min` rather than `clamp`, because they turn NaN into a bound.
+    let sample = sample.max(-bound).min(bound);
+    if sample.abs() < 1e-30 {
+        return 0.0;
+    }
+    sample as f32
+}
+
+impl Engine {
+    /// An instrument from a bank, at rest, with default settings.
+    ///
+    /// A rate outside 1 kHz…768 kHz is taken as the nearer of the two. Bodies without a strike line
+    /// of at least [`Stencil::POINTS`] points, or for no MIDI key, are left out.
+    #[must_use]
+    pub fn new(bank: &Bank, sample_rate_hz: f64) -> Self {
+        Self::with_vectors(bank, sample_rate_hz, Vectors::Widest)
+    }
+
+    /// The same, computed with no wider vectors than `vectors`.
+    #[must_use]
+    pub fn with_vectors(bank: &Bank, sample_rate_hz: f64, vectors: Vectors) -> Self {
+        let step_s = 1.0 / sample_rate_hz.max(RATES_HZ.0).min(RATES_HZ.1);
+        let kernel = Kernel::new(vectors);
+        let mut bodies: Vec<Option<Body>> = vec![None; 128];
+        let usable: Vec<&modes::Body> = bank
+            .bodies
+            .iter()
+            .filter(|body| {
+                body.key < 128
+                    && body.line.len() >= Stencil::POINTS
+                    && body.line.normals.len() == body.line.len()
+                    && body.mass_kg > 0.0
+            })
+            .collect();
+        let mut packs = 0;
+        for (body, scale) in usable.iter().zip(full_scales(bank, &usable)) {
+            let made = Body::new(body, scale, packs);
+            packs = made.place.end;
+            bodies[usize::from(body.key)] = Some(made);
+        }
+        let settings = Settings::default();
+        let glides = Glides::new(&settings, step_s);
+        Self {
+            bodies,
+            packs: vec![Pack::STILL; packs],
+            own: bank.damping,
+            modulus_pa: contact_modulus_pa(&bank.material),
+            ears_m: bank.ears_m,
+            awake: 0,
+            driven: 0,
+            choked: 0,
+            hands: [Hand::FREE; 128],
+            bowed: 0,
+            swings: [Swing::default(); 128],
+            gain: [glides.gain(); 2],
+            motor: Motor::new(),
+            ways: settings.listener.ways(&bank.ears_m),
+            pitch: 1.0,
+            cell: Cell::new(packs),
+            limiter: Limiter::new(step_s),
+            glides,
+            settings,
+            kernel,
+            step_s,
+            position: 0,
+        }
+    }
+
+    /// Back to silence and to the start of the song; settings stay.
+    pub fn reset(&mut self) {
+        for body in self.bodies.iter_mut().flatten() {
+            body.hush(&mut self.packs);
+        }
+        self.awake = 0;
+        self.driven = 0;
+        self.choked = 0;
+        self.hands = [Hand::FREE; 128];
+        self.bowed = 0;
+        self.swings = [Swing::default(); 128];
+        self.limiter.reset();
+        self.position = 0;
+        self.motor = Motor::new();
+        self.cell.close();
+        self.arrive();
+    }
+
+    /// New targets. What acts on strikes counts from the next one, the rest moves there in 15 ms.
+    pub fn set(&mut self, settings: &Settings) {
+        let settings = settings.sane();
+        if settings != self.settings {
+            self.settings = settings;
+            self.glides.aim(&self.settings);
+        }
+    }
+
+    /// The keys whose bodies sound, bit 0 for key 0.
+    #[must_use]
+    pub fn awake(&self) -> u128 {
+        self.awake
+    }
+
+    /// Renders as many samples as the shorter of the two slices holds.
+    pub fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
+        let frames = left.len().min(right.len());
+        let mut done = 0;
+        while done < frames {
+            let phase = (self.position % GRID as u64) as usize;
+            if phase == 0 {
+                self.look();
+            }
+            let run = (GRID - phase).min(frames - done);
+            self.render(
+                phase,
+                &mut left[done..done + run],
+                &mut right[done..done + run],
+            );
+            self.position += run as u64;
+            if phase + run == GRID {
+                self.cell.close();
+            }
+            done += run;
+        }
+    }
+
+    fn body(&self, key: u8) -> Option<&Body> {
+        self.bodies.get(usize::from(key))?.as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::damper::bit;
+    use super::*;
+
+    #[test]
+    fn keys_come_from_low_to_high() {
+        assert_eq!(keys(0).count(), 0);
+        assert_eq!(
+            keys(bit(3) | bit(127) | bit(0)).collect::<Vec<_>>(),
+            [0, 3, 127]
+        );
+    }
+
+    #[test]
+    fn samples_are_bounded_and_never_denormal() {
+        assert_eq!(finish(1e9), OUTPUT_BOUND);
+        assert_eq!(finish(f64::NEG_INFINITY), -OUTPUT_BOUND);
+        assert!(finish(f64::NAN).is_finite());
+        assert_eq!(finish(1e-39), 0.0);
+        assert_eq!(finish(0.25), 0.25);
+    }
+}
