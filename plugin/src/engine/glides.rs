@@ -84,12 +84,14 @@ impl Glides {
         before != self.now
     }
 
-    /// Arrives at once.
-    pub(super) fn snap(&mut self) {
+    /// Arrives at once; whether anything moved.
+    pub(super) fn snap(&mut self) -> bool {
+        let before = self.now;
         for (glide, now) in self.all.iter_mut().zip(&mut self.now) {
             glide.snap();
             *now = glide.value();
         }
+        before != self.now
     }
 
     /// What drains the bodies of a material that takes `own` by itself, and the resonators the share

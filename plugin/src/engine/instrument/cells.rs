@@ -10,9 +10,10 @@ use crate::engine::source::Hearing;
 impl Engine {
     /// Parameters that nobody hears move are there at once.
     pub(super) fn arrive(&mut self) {
-        self.glides.snap();
+        if self.glides.snap() {
+            self.moved();
+        }
         self.gain = [self.glides.gain(); 2];
-        self.moved();
     }
 
     /// Works out what follows from parameters that have moved.
