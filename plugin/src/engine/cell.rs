@@ -2,7 +2,7 @@
 
 use super::GRID;
 use super::body::{Body, Moved};
-use super::oscillators::{Buses, Kernel, LANES, Pack, SILENT};
+use super::oscillators::{Buses, Hops, Kernel, LANES, Pack, SILENT, TOGETHER};
 use std::ops::Range;
 
 /// The sum of all bodies that nothing pushes, over one cell.
@@ -18,6 +18,7 @@ pub(super) struct Cell {
     new: Vec<Range<usize>>,
     same: Vec<Range<usize>>,
     left: Buses,
+    hops: Box<[Hops; TOGETHER]>,
     /// State of a body while its rest of a cell is taken out.
     kept: Vec<[[f64; LANES]; 2]>,
 }
@@ -32,6 +33,7 @@ impl Cell {
             new: Vec::with_capacity(128),
             same: Vec::with_capacity(128),
             left: SILENT,
+            hops: Box::new(Hops::ROOM),
             kept: vec![[[0.0; LANES]; 2]; packs],
         }
     }
@@ -73,18 +75,18 @@ impl Cell {
     /// Renders what has left.
     pub(super) fn ring_left(&mut self, kernel: Kernel, packs: &mut [Pack]) {
         if !self.old.is_empty() {
-            kernel.ring(packs, &self.old, false, &mut self.left);
+            kernel.ring(packs, &self.old, false, &mut self.hops, &mut self.left);
         }
     }
 
     /// Renders what has entered, and moves it on.
     pub(super) fn ring_entered(&mut self, kernel: Kernel, packs: &mut [Pack]) {
-        kernel.ring(packs, &self.same, true, &mut self.mix);
+        kernel.ring(packs, &self.same, true, &mut self.hops, &mut self.mix);
         if self.new.is_empty() && self.old.is_empty() {
             return;
         }
         let mut entered = SILENT;
-        kernel.ring(packs, &self.new, true, &mut entered);
+        kernel.ring(packs, &self.new, true, &mut self.hops, &mut entered);
         for (mix, (left, entered)) in self.mix.iter_mut().zip(self.left.iter().zip(&entered)) {
             for (n, mix) in mix.iter_mut().enumerate() {
                 *mix += left[n] + (entered[n] - left[n]) * (n as f64 / GRID as f64);

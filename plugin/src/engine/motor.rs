@@ -50,10 +50,12 @@ impl Motor {
         }
     }
 
-    /// On to the next grid point.
-    pub(super) fn advance(&mut self, discs: &Discs, step_s: f64) {
+    /// On to the next grid point; whether the discs have moved.
+    pub(super) fn advance(&mut self, discs: &Discs, step_s: f64) -> bool {
+        let before = self.open;
         self.turn = (self.turn + 0.5 * discs.speed_hz * step_s * GRID as f64).fract();
         self.open = discs.open(self.turn);
+        self.open != before
     }
 
     /// Share of a resonator's damping that counts now.

@@ -13,6 +13,27 @@ const SMALLEST_M: f64 = 1e-5;
 /// How far a body may come towards the listener, as a share of the distance.
 const NEAREST: f64 = 0.8;
 
+const OMEGA: f64 = TAU * SWING_HZ;
+
+/// What a swing does in a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SwingStep {
+    sin: f64,
+    cos: f64,
+}
+
+impl SwingStep {
+    /// Steps of `time_s`.
+    pub(super) fn new(time_s: f64) -> Self {
+        let (sin, cos) = (OMEGA * time_s).sin_cos();
+        let fall = (-REST_PER_S * time_s).exp();
+        Self {
+            sin: fall * sin,
+            cos: fall * cos,
+        }
+    }
+}
+
 /// One body on its cord: away from the listener, in m, and how fast, in m/s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Swing {
@@ -26,20 +47,16 @@ impl Swing {
         self.speed_m_s += speed_m_s;
     }
 
-    /// Moves on by `time_s`.
-    pub(super) fn advance(&mut self, time_s: f64) {
-        if *self == Self::default() {
-            return;
-        }
-        let omega = TAU * SWING_HZ;
-        let (sin, cos) = (omega * time_s).sin_cos();
-        let fall = (-REST_PER_S * time_s).exp();
-        let (away, speed) = (self.away_m, self.speed_m_s / omega);
-        self.away_m = fall * (away * cos + speed * sin);
-        self.speed_m_s = fall * omega * (speed * cos - away * sin);
-        if self.away_m.hypot(self.speed_m_s / omega) < SMALLEST_M {
+    /// Moves on by a step; whether the body still swings.
+    pub(super) fn advance(&mut self, step: &SwingStep) -> bool {
+        let (away, speed) = (self.away_m, self.speed_m_s / OMEGA);
+        self.away_m = away * step.cos + speed * step.sin;
+        self.speed_m_s = OMEGA * (speed * step.cos - away * step.sin);
+        let size = self.away_m * self.away_m + self.speed_m_s * self.speed_m_s / (OMEGA * OMEGA);
+        if size < SMALLEST_M * SMALLEST_M {
             *self = Self::default();
         }
+        *self != Self::default()
     }
 
     /// Pitch over that at rest (Doppler), and level over that at rest, for a listener at `distance_m`
@@ -63,15 +80,13 @@ mod tests {
         assert!((pitch - 1.0 / (1.0 + 0.5 / 343.2)).abs() < 1e-12);
         assert_eq!(level, 1.0);
         let quarter_s = 0.25 / SWING_HZ;
-        for _ in 0..1000 {
-            swing.advance(quarter_s / 1000.0);
-        }
-        let far = 0.5 / (TAU * SWING_HZ) * (-REST_PER_S * quarter_s).exp();
+        let step = SwingStep::new(quarter_s / 1000.0);
+        assert!((0..1000).all(|_| swing.advance(&step)));
+        let far = 0.5 / OMEGA * (-REST_PER_S * quarter_s).exp();
         assert!((swing.away_m - far).abs() < 1e-12, "{swing:?}");
         assert!((swing.heard(1.0, 2.0).1 - 1.0 / (1.0 + 0.5 * far)).abs() < 1e-12);
-        for _ in 0..100 {
-            swing.advance(1.0);
-        }
+        let second = SwingStep::new(1.0);
+        while swing.advance(&second) {}
         assert_eq!(swing, Swing::default());
         assert_eq!(swing.heard(1.0, 1.0), (1.0, 1.0));
     }

@@ -31,8 +31,8 @@ pub(crate) struct Body {
     pub(crate) live: usize,
     /// Whether something pushes it: then it moves sample by sample and not with the rest.
     pub(crate) driven: bool,
-    /// Whether what is heard of it changes over this cell.
-    pub(crate) fading: bool,
+    /// What is heard of it otherwise at the end of this cell than at its start.
+    pub(crate) fading: Moved,
     tones: Vec<Tone>,
     sources: Vec<Source>,
     /// Leading packs that are heard through a resonator.
@@ -48,6 +48,8 @@ pub(crate) struct Body {
     substeps: u32,
     /// What the modes are tuned to.
     tuned: Option<Tuned>,
+    /// Whether tables are made for damping a hair off.
+    off: bool,
     heard: Option<Hearing>,
 }
 
@@ -79,7 +81,7 @@ impl Body {
             place: first..first + packs,
             live: 0,
             driven: false,
-            fading: false,
+            fading: Moved::NONE,
             piped: usize::from(modes.iter().any(|mode| mode.is_piped())),
             tones,
             sources,
@@ -91,6 +93,7 @@ impl Body {
             steps: vec![Step::STILL; packs],
             substeps: 1,
             tuned: None,
+            off: false,
             heard: None,
         }
     }

@@ -1,6 +1,6 @@
 //! What pushes a body: mallets and a bow.
 
-use super::Body;
+use super::{Body, Moved};
 use crate::engine::GRID;
 use crate::engine::contact::Blow;
 use crate::engine::mallet::Mallet;
@@ -180,7 +180,7 @@ impl Body {
             rub: self.rub.touches.then_some(&mut self.rub),
             substeps: self.substeps,
             step_s: step_s / f64::from(self.substeps),
-            fade: self.fading.then_some([phase as f64 / cell, 1.0 / cell]),
+            fade: (self.fading != Moved::NONE).then_some([phase as f64 / cell, 1.0 / cell]),
             out,
         });
     }

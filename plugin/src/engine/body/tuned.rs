@@ -31,7 +31,8 @@ impl Body {
         }
     }
 
-    /// Tunes the modes, if they are not tuned so or are to be heard otherwise.
+    /// Tunes the modes, if they are not tuned so or are to be heard otherwise; whether they are to be tuned
+    /// once more when nothing moves.
     pub(crate) fn tune(
         &mut self,
         kernel: Kernel,
@@ -39,7 +40,7 @@ impl Body {
         tuned: Tuned,
         hearing: &Hearing,
         step_s: f64,
-    ) {
+    ) -> bool {
         let Moved(moved) = self.moved(hearing);
         for (tone, source) in self.tones.iter_mut().zip(&self.sources).take(moved) {
             source.gains(hearing, &tone.omega, &mut tone.gain);
@@ -47,9 +48,15 @@ impl Body {
         self.heard = Some(*hearing);
         let pitch = self.tuned.is_none_or(|old| old.ratio != tuned.ratio);
         let all = self.tuned != Some(tuned);
-        let count = if all { self.tones.len() } else { moved };
+        // What moving damping has left a hair off is put right when it rests.
+        let exact = !all && std::mem::take(&mut self.off);
+        let count = if all || exact {
+            self.tones.len()
+        } else {
+            moved
+        };
         if count == 0 {
-            return;
+            return false;
         }
         kernel.run(Tune {
             tones: &mut self.tones[..count],
@@ -60,6 +67,8 @@ impl Body {
             causes: self
                 .tuned
                 .is_none_or(|old| old.drain.shares() != tuned.drain.shares()),
+            exact,
+            off: &mut self.off,
             step_s,
         });
         self.tuned = Some(tuned);
@@ -69,6 +78,7 @@ impl Body {
         if self.driven && all {
             self.tune_steps(kernel, step_s);
         }
+        self.off
     }
 
     pub(super) fn tune_steps(&mut self, kernel: Kernel, sample_s: f64) {

@@ -18,8 +18,11 @@ impl Engine {
 
     /// Works out what follows from parameters that have moved.
     fn moved(&mut self) {
-        self.ways = self.glides.listener().ways(&self.ears_m);
+        let listener = self.glides.listener();
+        self.ways = listener.ways(&self.ears_m);
+        self.width = listener.width;
         self.pitch = self.glides.tweak().pitch();
+        self.stale = u128::MAX;
     }
 
     /// What the modes of a key's body are tuned to now.
@@ -38,7 +41,7 @@ impl Engine {
         } else {
             Dampers::new(felt, has_felt)
         };
-        let (doppler, _) = self.swings[slot].heard(self.glides.swing(), self.distance_m());
+        let (doppler, _) = self.swings[slot].heard(self.glides.swing(), self.distance_m);
         Tuned {
             drain: Drain {
                 felt: on.felt,
@@ -53,7 +56,7 @@ impl Engine {
     pub(super) fn hearing(&self, key: u8) -> Hearing {
         let slot = usize::from(key);
         let hold = &self.hands[slot].hold;
-        let (_, nearer) = self.swings[slot].heard(self.glides.swing(), self.distance_m());
+        let (_, nearer) = self.swings[slot].heard(self.glides.swing(), self.distance_m);
         let level = hold.level * nearer;
         let pans = [1.0 - hold.pan, 1.0 + hold.pan].map(|share| level * share.min(1.0));
         let mut ways = self.ways;
@@ -62,15 +65,9 @@ impl Engine {
         }
         Hearing {
             open: self.motor.open(),
-            width: self.glides.listener().width,
+            width: self.width,
             ways,
         }
-    }
-
-    /// From the middle between the ears to the instrument, in m.
-    fn distance_m(&self) -> f64 {
-        let middle = |a: usize| 0.5 * (self.ears_m[0][a] + self.ears_m[1][a]);
-        middle(0).hypot(middle(1)).hypot(middle(2)).max(0.1)
     }
 
     /// What is looked at on the grid only; then what rings freely sounds for a cell.
@@ -83,10 +80,15 @@ impl Engine {
         if self.glides.advance() {
             self.moved();
         }
-        self.motor.advance(&self.glides.discs(), self.step_s);
+        if self.motor.advance(&self.glides.discs(), self.step_s) {
+            self.stale = u128::MAX;
+        }
         self.gain = [self.gain[1], self.glides.gain()];
-        for key in keys(self.awake) {
-            self.swings[usize::from(key)].advance(self.step_s * GRID as f64);
+        for key in keys(self.swinging) {
+            if !self.swings[usize::from(key)].advance(&self.swing_step) {
+                self.swinging &= !bit(key);
+            }
+            self.stale |= bit(key);
         }
         self.rest();
         self.rub();
@@ -107,7 +109,8 @@ impl Engine {
             };
             if body.take_answer(&mut self.packs) && self.awake & bit(key) == 0 {
                 self.awake |= bit(key);
-                body.fading = false;
+                body.fading = Moved::NONE;
+                self.stale |= bit(key);
             }
         }
         let mut all = [0.0; GRID];
@@ -133,23 +136,36 @@ impl Engine {
     /// A cell of what rings freely.
     fn ring(&mut self) {
         self.cell.begin();
-        for key in keys(self.awake & !self.driven) {
+        let stale = self.awake & self.stale;
+        for key in keys(stale & !self.driven) {
             let hearing = self.hearing(key);
             if let Some(body) = &self.bodies[usize::from(key)] {
                 self.cell.leave(body, body.moved(&hearing));
             }
         }
         self.cell.ring_left(self.kernel, &mut self.packs);
-        for key in keys(self.awake) {
+        // What stays stale is off by a hair until nothing moves it any more.
+        self.stale &= !stale;
+        for key in keys(stale) {
             let (tuned, hearing) = (self.tuned(key), self.hearing(key));
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
             let moved = body.moved(&hearing);
-            body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s);
-            body.fading = moved != Moved::NONE;
+            if body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s) {
+                self.stale |= bit(key);
+            }
+            body.fading = moved;
+        }
+        for key in keys(self.awake) {
+            let Some(body) = self.bodies[usize::from(key)].as_mut() else {
+                continue;
+            };
+            if stale & bit(key) == 0 {
+                body.fading = Moved::NONE;
+            }
             if !body.driven {
-                self.cell.enter(body, moved);
+                self.cell.enter(body, body.fading);
             }
         }
         self.cell.ring_entered(self.kernel, &mut self.packs);

@@ -12,7 +12,7 @@ use super::mallet::contact_modulus_pa;
 use super::motor::Motor;
 use super::oscillators::{Kernel, Pack, Vectors};
 use super::source::Way;
-use super::swing::Swing;
+use super::swing::{Swing, SwingStep};
 use super::{GRID, Settings};
 use modes::{Bank, Damping, Stencil};
 use playing::Hand;
@@ -22,7 +22,7 @@ use playing::Hand;
 pub const OUTPUT_BOUND: f32 = 64.0;
 
 /// Cells of the grid between two looks at whether a body still sounds.
-const LOOKS: u64 = 8;
+const LOOKS: u64 = 16;
 
 /// Sample rates there are coefficients for, in Hz.
 const RATES_HZ: (f64, f64) = (1e3, 768e3);
@@ -39,8 +39,9 @@ pub struct Engine {
     own: Damping,
     /// E/(1 − ν²) of that material, in Pa.
     modulus_pa: f64,
-    /// Where the bank has the listener's ears, in m.
+    /// Where the bank has the listener's ears, and how far the middle between them is, in m.
     ears_m: [[f64; 3]; 2],
+    distance_m: f64,
     awake: u128,
     /// Bodies that something pushes.
     driven: u128,
@@ -50,12 +51,18 @@ pub struct Engine {
     hands: [Hand; 128],
     /// Bodies on which a bow is, or is to be.
     bowed: u128,
+    /// Bodies that swing.
+    swinging: u128,
+    /// Bodies whose tuning or hearing may have to change.
+    stale: u128,
     swings: [Swing; 128],
+    swing_step: SwingStep,
     settings: Settings,
     glides: Glides,
     motor: Motor,
-    /// Ways to the ears at the end of this cell, and frequencies over those as built.
+    /// Ways to the ears and their width at the end of this cell, and frequencies over those as built.
     ways: [Way; 2],
+    width: f64,
     pitch: f64,
     /// What rings freely in this cell of the grid.
     cell: Cell,
@@ -87,6 +94,12 @@ fn finish(sample: f64) -> f32 {
         return 0.0;
     }
     sample as f32
+}
+
+/// From the middle between the ears to the instrument, in m.
+fn distance_m(ears_m: &[[f64; 3]; 2]) -> f64 {
+    let middle = |a: usize| 0.5 * (ears_m[0][a] + ears_m[1][a]);
+    middle(0).hypot(middle(1)).hypot(middle(2)).max(0.1)
 }
 
 impl Engine {
@@ -129,15 +142,20 @@ impl Engine {
             own: bank.damping,
             modulus_pa: contact_modulus_pa(&bank.material),
             ears_m: bank.ears_m,
+            distance_m: distance_m(&bank.ears_m),
             awake: 0,
             driven: 0,
             choked: 0,
             hands: [Hand::FREE; 128],
             bowed: 0,
+            swinging: 0,
+            stale: u128::MAX,
             swings: [Swing::default(); 128],
+            swing_step: SwingStep::new(step_s * GRID as f64),
             gain: [glides.gain(); 2],
             motor: Motor::new(),
             ways: settings.listener.ways(&bank.ears_m),
+            width: settings.listener.width,
             pitch: 1.0,
             cell: Cell::new(packs),
             limiter: Limiter::new(step_s),
@@ -159,6 +177,8 @@ impl Engine {
         self.choked = 0;
         self.hands = [Hand::FREE; 128];
         self.bowed = 0;
+        self.swinging = 0;
+        self.stale = u128::MAX;
         self.swings = [Swing::default(); 128];
         self.limiter.reset();
         self.position = 0;
@@ -173,6 +193,7 @@ impl Engine {
         if settings != self.settings {
             self.settings = settings;
             self.glides.aim(&self.settings);
+            self.stale = u128::MAX;
         }
     }
 

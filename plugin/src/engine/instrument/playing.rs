@@ -1,7 +1,7 @@
 //! What is done to an instrument: blows, hands and silence.
 
 use super::{Engine, keys};
-use crate::engine::body::Strike;
+use crate::engine::body::{Moved, Strike};
 use crate::engine::damper::bit;
 use crate::engine::mallet::Mallet;
 use crate::engine::touch::{Touch, chance, grain};
@@ -43,6 +43,7 @@ impl Engine {
         }
         let hit = hit.sane();
         self.choked &= !bit(key);
+        self.stale |= bit(key);
         let hand = &mut self.hands[usize::from(key)];
         hand.hold.felt = 0.0;
         if self.settings.bow.rubs {
@@ -69,6 +70,7 @@ impl Engine {
             body.strike(self.kernel, &strike, self.step_s);
             let share = mallet.mass_kg / (mallet.mass_kg + strike.heavier * body.mass_kg);
             self.swings[usize::from(key)].push(2.0 * share * strike.touch.speed_m_s);
+            self.swinging |= bit(key);
         }
         self.driven |= bit(key);
         true
@@ -82,7 +84,7 @@ impl Engine {
         };
         if self.awake & bit(key) == 0 {
             self.awake |= bit(key);
-            body.fading = false;
+            body.fading = Moved::NONE;
             body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s);
         } else if self.driven & bit(key) == 0 {
             let phase = (self.position % GRID as u64) as usize;
@@ -101,6 +103,7 @@ impl Engine {
             hand.bend = (hold.bend_semitones / 12.0).exp2();
         }
         hand.hold = hold;
+        self.stale |= bit(key);
         if hold.bow_pressure > 0.0 {
             self.bowed |= bit(key);
         }
@@ -130,6 +133,7 @@ impl Engine {
 
     fn silence(&mut self, keys_bits: u128) {
         self.choked |= keys_bits;
+        self.stale |= keys_bits;
         for key in keys(keys_bits) {
             self.release(key);
             self.hands[usize::from(key)].hold.bow_pressure = 0.0;

@@ -1,9 +1,9 @@
 //! Modes under a force: every fraction of a sample in f64, in vectors.
 
-use super::super::bow::Rub;
-use super::super::contact::Contact;
 use super::pack::{LANES, Pack};
 use super::tone::{Tone, turned};
+use crate::engine::bow::Rub;
+use crate::engine::contact::Contact;
 use pulp::{Simd, WithSimd};
 
 /// What moves sixteen modes by a fraction of a sample, and what is heard of them.

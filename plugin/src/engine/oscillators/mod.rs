@@ -1,6 +1,7 @@
 //! Damped complex oscillators: one multiplication per mode and step (O'Brien 2002, §3.4).
 
 mod drive;
+mod heavy;
 mod pack;
 mod plain;
 mod ring;
@@ -13,6 +14,7 @@ use super::GRID;
 pub(crate) use drive::{Drive, Step, TuneSteps};
 pub(crate) use pack::{LANES, Pack};
 use pulp::{Arch, WithSimd};
+pub(crate) use ring::{Hops, TOGETHER};
 use std::ops::Range;
 pub(crate) use tone::{CAUSES, Tone, turned};
 pub(crate) use tune::Tune;
@@ -69,18 +71,20 @@ impl Kernel {
     }
 
     /// Writes what is heard of a cell of the packs in `ranges` to `out`, and moves them on by it if
-    /// they are to `advance`.
+    /// they are to `advance`. `hops` is room to work in.
     pub(crate) fn ring(
         self,
         packs: &mut [Pack],
         ranges: &[Range<usize>],
         advance: bool,
+        hops: &mut [Hops; TOGETHER],
         out: &mut Buses,
     ) {
         self.wide.dispatch(ring::Ring {
             packs,
             ranges,
             advance,
+            hops,
             out,
         });
     }

@@ -1,15 +1,26 @@
 //! Sixteen modes side by side, in the order in which the kernels read them.
 
-use super::super::GRID;
+use crate::engine::GRID;
 
 /// Modes of a pack: the widest vector of single floats.
 pub(crate) const LANES: usize = 16;
 
 /// Samples that one step of the state leaps over.
-pub(crate) const HOP: usize = 4;
+pub(crate) const HOP: usize = 8;
 
 /// Steps of the state in a cell of the grid.
 pub(super) const HOPS: usize = GRID / HOP;
+
+/// What the samples of a hop hear of a mode's x at its first (half 0), and of its y (half 1): left, then
+/// right.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct Heard(pub(super) [[f32; 2 * HOP]; 2]);
+
+impl Heard {
+    /// Nothing.
+    pub(super) const NONE: Self = Self([[0.0; 2 * HOP]; 2]);
+}
 
 /// Modes that ring freely: what one cell of the grid needs of them.
 ///
@@ -29,11 +40,11 @@ pub(crate) struct Pack {
     /// Imaginary part of it.
     pub(crate) cell_im: [f64; LANES],
     /// Real part of w to the power of [`HOP`].
-    pub(crate) hop_re: [f32; LANES],
+    pub(super) hop_re: [f32; LANES],
     /// Imaginary part of it.
-    pub(crate) hop_im: [f32; LANES],
-    /// What each sample of a hop hears of x and of y at its first: left and right.
-    pub(crate) hear: [[[[f32; LANES]; 2]; 2]; HOP],
+    pub(super) hop_im: [f32; LANES],
+    /// What is heard of each mode.
+    pub(super) heard: [Heard; LANES],
 }
 
 impl Pack {
@@ -45,7 +56,7 @@ impl Pack {
         cell_im: [0.0; LANES],
         hop_re: [0.0; LANES],
         hop_im: [0.0; LANES],
-        hear: [[[[0.0; LANES]; 2]; 2]; HOP],
+        heard: [Heard::NONE; LANES],
     };
 
     /// Stops every mode.

@@ -3,17 +3,14 @@
 
 use super::GRID;
 use super::pack::{HOP, HOPS, LANES, Pack};
-use super::ring::Ring;
-
-/// What is heard on both buses, sample by sample, lane by lane.
-type Sums = [[[f32; LANES]; 2]; GRID];
+use super::ring::{Ring, Sound, single};
 
 /// Twin of the vectors in [`super::ring`].
 pub(super) fn ring(task: Ring<'_>) {
-    let mut sums = [[[0.0f32; LANES]; 2]; GRID];
+    *task.out = [[0.0; GRID]; 2];
     for number in task.ranges.iter().rev().flat_map(Clone::clone) {
         let pack = &mut task.packs[number];
-        cell(pack, &mut sums);
+        cell(pack).add_to(task.out);
         if task.advance {
             for i in 0..LANES {
                 let (re, im) = (pack.cell_re[i], pack.cell_im[i]);
@@ -22,24 +19,17 @@ pub(super) fn ring(task: Ring<'_>) {
             }
         }
     }
-    for (n, sums) in sums.iter().enumerate() {
-        for (bus, sums) in task.out.iter_mut().zip(sums) {
-            bus[n] = f64::from(sums.iter().sum::<f32>());
-        }
-    }
 }
 
-/// Adds a cell of a pack to `sums`.
-fn cell(pack: &Pack, sums: &mut Sums) {
-    let tiny = |z: f64| if z.abs() < 1e-30 { 0.0 } else { z as f32 };
-    let (mut x, mut y) = (pack.x.map(tiny), pack.y.map(tiny));
-    for hop in 0..HOPS {
-        for j in 0..HOP {
-            let [left, right] = &mut sums[hop * HOP + j];
-            let [[left_x, left_y], [right_x, right_y]] = &pack.hear[j];
-            for i in 0..LANES {
-                left[i] += left_x[i] * x[i] + left_y[i] * y[i];
-                right[i] += right_x[i] * x[i] + right_y[i] * y[i];
+/// The sound of a pack over a cell.
+fn cell(pack: &Pack) -> Sound {
+    let mut sound = Sound([[0.0; 2 * HOP]; HOPS]);
+    let (mut x, mut y) = (single(&pack.x), single(&pack.y));
+    for hop in &mut sound.0 {
+        for (i, heard) in pack.heard.iter().enumerate() {
+            let [of_x, of_y] = &heard.0;
+            for k in 0..2 * HOP {
+                hop[k] += x[i] * of_x[k] + y[i] * of_y[k];
             }
         }
         for i in 0..LANES {
@@ -47,4 +37,5 @@ fn cell(pack: &Pack, sums: &mut Sums) {
             (x[i], y[i]) = (re * x[i] - im * y[i], re * y[i] + im * x[i]);
         }
     }
+    sound
 }

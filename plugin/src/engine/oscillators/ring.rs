@@ -1,33 +1,50 @@
-//! Modes that ring freely, in vectors: modes across lanes and in registers, four samples a step.
+//! Modes that ring freely, in vectors: samples across lanes, one mode after the other.
+//!
+//! Over a hop the sound of a mode is x times one table and y times another; what is kept in registers is
+//! the sound of a whole cell, and nothing is ever summed across lanes.
 
 use super::pack::{HOP, HOPS, LANES, Pack};
 use super::{Buses, GRID};
 use pulp::{Simd, WithSimd};
 use std::ops::Range;
 
+/// Packs whose sound is summed in single floats, before it is added to the rest in doubles.
+pub(crate) const TOGETHER: usize = 8;
+
 /// One cell of all packs in `ranges`.
 pub(super) struct Ring<'a> {
     pub(super) packs: &'a mut [Pack],
     pub(super) ranges: &'a [Range<usize>],
     pub(super) advance: bool,
+    pub(super) hops: &'a mut [Hops; TOGETHER],
     pub(super) out: &'a mut Buses,
 }
 
-/// What is heard on both buses, sample by sample, lane by lane; aligned, lest vectors straddle lines of
-/// the cache.
-#[repr(align(64))]
-struct Sums<V>([[V; 2]; GRID]);
+/// States of sixteen modes at the first sample of each hop of a cell, x and y.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct Hops([[[f32; LANES]; 2]; HOPS]);
+
+impl Hops {
+    /// Room for the packs that are summed together.
+    pub(crate) const ROOM: [Self; TOGETHER] = [Self([[[0.0; LANES]; 2]; HOPS]); TOGETHER];
+}
+
+/// The sound of a cell hop by hop: left, then right.
+#[repr(C, align(64))]
+pub(super) struct Sound(pub(super) [[f32; 2 * HOP]; HOPS]);
 
 impl WithSimd for Ring<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, s: S) {
-        // Vectors of a pack, and packs in flight: four chains of states in registers.
+        // Vectors of a hop's sound; where one holds it all, x and y get sums of their own, lest one
+        // wait for the other.
         match S::F32_LANES {
-            16 => self.fly::<S, 1, 4>(s),
-            8 => self.fly::<S, 2, 1>(s),
-            4 => self.fly::<S, 4, 1>(s),
+            16 => self.sing::<S, 1, 2>(s),
+            8 => self.sing::<S, 2, 1>(s),
+            4 => self.sing::<S, 4, 1>(s),
             _ => super::plain::ring(self),
         }
     }
@@ -35,82 +52,99 @@ impl WithSimd for Ring<'_> {
 
 impl Ring<'_> {
     #[inline(always)]
-    fn fly<S: Simd, const V: usize, const P: usize>(self, s: S) {
-        let mut sums = Sums([[s.splat_f32s(0.0); 2]; GRID]);
+    fn sing<S: Simd, const V: usize, const SUMS: usize>(self, s: S) {
+        for bus in self.out.iter_mut() {
+            *bus = [0.0; GRID];
+        }
         // What was tuned last is nearest in the cache.
         for range in self.ranges.iter().rev() {
-            let packs = &mut self.packs[range.clone()];
-            let mut flights = packs.chunks_exact_mut(P);
-            for flight in &mut flights {
-                if let Ok(flight) = <&mut [Pack; P]>::try_from(flight) {
-                    cell::<S, V, P>(s, flight, self.advance, &mut sums);
+            for packs in self.packs[range.clone()].chunks_mut(TOGETHER) {
+                for (hops, pack) in self.hops.iter_mut().zip(&mut *packs) {
+                    leap(s, pack, hops);
+                    if self.advance {
+                        turn(s, pack);
+                    }
                 }
-            }
-            for pack in flights.into_remainder() {
-                cell::<S, V, 1>(s, std::array::from_mut(pack), self.advance, &mut sums);
-            }
-        }
-        for (n, sums) in sums.0.iter().enumerate() {
-            for (bus, sum) in self.out.iter_mut().zip(sums) {
-                bus[n] = f64::from(s.reduce_sum_f32s(*sum));
+                let mut sums = [[[s.splat_f32s(0.0); V]; SUMS]; HOPS];
+                for (hops, pack) in self.hops.iter().zip(&*packs) {
+                    add::<S, V, SUMS>(s, pack, hops, &mut sums);
+                }
+                let mut sound = Sound([[0.0; 2 * HOP]; HOPS]);
+                for (hop, sums) in sound.0.iter_mut().zip(&sums) {
+                    for (v, to) in S::as_mut_simd_f32s(hop).0.iter_mut().enumerate() {
+                        *to = sums[0][v];
+                        for more in &sums[1..] {
+                            *to = s.add_f32s(*to, more[v]);
+                        }
+                    }
+                }
+                sound.add_to(self.out);
             }
         }
     }
 }
 
-/// Adds a cell of `packs` to `sums` and moves them on, if they are to.
+impl Sound {
+    /// Adds it to both buses.
+    #[inline(always)]
+    pub(super) fn add_to(&self, out: &mut Buses) {
+        let [left, right] = out;
+        for (hop, sound) in self.0.iter().enumerate() {
+            for k in 0..HOP {
+                left[hop * HOP + k] += f64::from(sound[k]);
+                right[hop * HOP + k] += f64::from(sound[HOP + k]);
+            }
+        }
+    }
+}
+
+/// Adds the sound of a pack over a cell.
 #[inline(always)]
-fn cell<S: Simd, const V: usize, const P: usize>(
+fn add<S: Simd, const V: usize, const SUMS: usize>(
     s: S,
-    packs: &mut [Pack; P],
-    advance: bool,
-    sums: &mut Sums<S::f32s>,
+    pack: &Pack,
+    hops: &Hops,
+    sums: &mut [[[S::f32s; V]; SUMS]; HOPS],
 ) {
-    let zero = s.splat_f32s(0.0);
-    let (mut x, mut y) = ([[zero; V]; P], [[zero; V]; P]);
-    for p in 0..P {
-        x[p].copy_from_slice(S::as_simd_f32s(&single(&packs[p].x)).0);
-        y[p].copy_from_slice(S::as_simd_f32s(&single(&packs[p].y)).0);
-    }
-    for hop in 0..HOPS {
-        // Read anew in each hop, or the compiler copies all gains to the stack beforehand.
-        let packs = std::hint::black_box(&*packs);
-        for j in 0..HOP {
-            let [mut left, mut right] = sums.0[hop * HOP + j];
-            for p in 0..P {
-                let [[lx, ly], [rx, ry]] = &packs[p].hear[j];
-                let (lx, ly) = (S::as_simd_f32s(lx).0, S::as_simd_f32s(ly).0);
-                let (rx, ry) = (S::as_simd_f32s(rx).0, S::as_simd_f32s(ry).0);
-                for v in 0..V {
-                    left = s.mul_add_e_f32s(lx[v], x[p][v], left);
-                    right = s.mul_add_e_f32s(rx[v], x[p][v], right);
-                    left = s.mul_add_e_f32s(ly[v], y[p][v], left);
-                    right = s.mul_add_e_f32s(ry[v], y[p][v], right);
-                }
-            }
-            sums.0[hop * HOP + j] = [left, right];
-        }
-        for p in 0..P {
-            let re = S::as_simd_f32s(&packs[p].hop_re).0;
-            let im = S::as_simd_f32s(&packs[p].hop_im).0;
+    let mut all = *sums;
+    for (i, heard) in pack.heard.iter().enumerate() {
+        let of_x = S::as_simd_f32s(&heard.0[0]).0;
+        let of_y = S::as_simd_f32s(&heard.0[1]).0;
+        for (sums, [x, y]) in all.iter_mut().zip(&hops.0) {
+            let (x, y) = (s.splat_f32s(x[i]), s.splat_f32s(y[i]));
             for v in 0..V {
-                let along = s.mul_f32s(x[p][v], re[v]);
-                let across = s.mul_f32s(x[p][v], im[v]);
-                x[p][v] = s.negate_mul_add_e_f32s(y[p][v], im[v], along);
-                y[p][v] = s.mul_add_e_f32s(y[p][v], re[v], across);
+                sums[0][v] = s.mul_add_e_f32s(x, of_x[v], sums[0][v]);
+                sums[SUMS - 1][v] = s.mul_add_e_f32s(y, of_y[v], sums[SUMS - 1][v]);
             }
         }
     }
-    if advance {
-        for pack in packs {
-            turn(s, pack);
+    *sums = all;
+}
+
+/// The states at each hop.
+#[inline(always)]
+fn leap<S: Simd>(s: S, pack: &Pack, hops: &mut Hops) {
+    hops.0[0] = [single(&pack.x), single(&pack.y)];
+    let (re, im) = (
+        S::as_simd_f32s(&pack.hop_re).0,
+        S::as_simd_f32s(&pack.hop_im).0,
+    );
+    for hop in 1..HOPS {
+        let (before, after) = hops.0.split_at_mut(hop);
+        let ([x, y], [next_x, next_y]) = (&before[hop - 1], &mut after[0]);
+        let (x, y) = (S::as_simd_f32s(x).0, S::as_simd_f32s(y).0);
+        let next_x = S::as_mut_simd_f32s(next_x).0;
+        let next_y = S::as_mut_simd_f32s(next_y).0;
+        for v in 0..x.len() {
+            next_x[v] = s.negate_mul_add_e_f32s(y[v], im[v], s.mul_f32s(x[v], re[v]));
+            next_y[v] = s.mul_add_e_f32s(y[v], re[v], s.mul_f32s(x[v], im[v]));
         }
     }
 }
 
 /// f64 to f32; what f32 has no full digits for becomes 0.
 #[inline(always)]
-fn single(values: &[f64; LANES]) -> [f32; LANES] {
+pub(super) fn single(values: &[f64; LANES]) -> [f32; LANES] {
     let mut singles = [0.0; LANES];
     for i in 0..LANES {
         singles[i] = if values[i].abs() < 1e-30 {

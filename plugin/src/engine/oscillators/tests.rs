@@ -1,7 +1,7 @@
 //! The kernels beside the closed form and beside each other.
 
-use super::super::losses::Drain;
 use super::*;
+use crate::engine::losses::Drain;
 use std::f64::consts::TAU;
 
 const KERNELS: [Vectors; 3] = [Vectors::Widest, Vectors::Avx2, Vectors::Plain];
@@ -27,6 +27,8 @@ fn tune(kernel: Kernel, tones: &mut [Tone], packs: &mut [Pack], drain: Drain, st
         ratio: Some(1.0),
         gains: true,
         causes: true,
+        exact: true,
+        off: &mut false,
         step_s,
     });
 }
@@ -58,7 +60,7 @@ fn a_minute_s_decay_is_a_minute_s() {
             let (mut error, mut size) = (0.0f64, 0.0f64);
             let mut out = SILENT;
             for cell in 0..cells {
-                kernel.ring(&mut packs, &[0..1], true, &mut out);
+                kernel.ring(&mut packs, &[0..1], true, &mut Hops::ROOM.clone(), &mut out);
                 if cell + 100 < cells {
                     continue;
                 }
@@ -105,7 +107,13 @@ fn all_vectors_sound_alike() {
         let mut sound = Vec::new();
         for _ in 0..1500 {
             let mut out = SILENT;
-            kernel.ring(&mut packs, &[0..1, 1..4], true, &mut out);
+            kernel.ring(
+                &mut packs,
+                &[0..1, 1..4],
+                true,
+                &mut Hops::ROOM.clone(),
+                &mut out,
+            );
             sound.extend(out.concat());
         }
         all.push(sound);
@@ -167,7 +175,7 @@ fn steps_agree_with_the_library_for_any_damping() {
                         assert_eq!((hop, cell), ([0.0; 2], [0.0; 2]));
                         silent += 1;
                     } else if decay < 0.98 * omega && hz < 0.49 * rate_hz {
-                        hop_off = hop_off.max(off(4.0, hop[0], hop[1]));
+                        hop_off = hop_off.max(off(8.0, hop[0], hop[1]));
                         let late = off(GRID as f64, cell[0], cell[1]);
                         // Relative to what damping takes in a cell; the nearer Ω is to zero, the more
                         // a single float's rounding of ω and d moves it.
@@ -208,7 +216,13 @@ fn a_cell_taken_back_is_where_it_was() {
     packs[0].x = std::array::from_fn(|lane| 1.0 + lane as f64);
     packs[0].y = [-0.5; LANES];
     let before = packs[0].clone();
-    kernel.ring(&mut packs, &[0..1], true, &mut [[0.0; GRID]; 2]);
+    kernel.ring(
+        &mut packs,
+        &[0..1],
+        true,
+        &mut Hops::ROOM.clone(),
+        &mut [[0.0; GRID]; 2],
+    );
     assert!(packs[0].x != before.x);
     packs[0].rewind();
     for lane in 0..LANES {

@@ -1,12 +1,16 @@
 //! Sixteen modes as the bank gives them, and what the player makes of them.
 
-use super::pack::{HOP, LANES};
+use super::GRID;
+use super::pack::{HOP, Heard, LANES};
 
 /// Modes from this share of half the sample rate on are silent, not aliased.
 pub(super) const HIGHEST: f64 = 0.99;
 
 /// Causes of decay outside the material: radiation, supports, resonator and felt.
 pub(crate) const CAUSES: usize = 4;
+
+/// Real and imaginary parts of sixteen numbers.
+type Complex<T> = [[T; LANES]; 2];
 
 /// What is needed to tune sixteen modes anew.
 #[derive(Clone, Debug)]
@@ -18,11 +22,13 @@ pub(crate) struct Tone {
     pub(crate) rates: [[f32; LANES]; CAUSES],
     /// What of x and y reaches the left and the right ear.
     pub(crate) gain: [[[f32; LANES]; 2]; 2],
-    /// exp(iωTk) for k = 1…4, or 0 for a mode that is never heard.
-    pub(super) turns: [[[f32; LANES]; 2]; HOP],
-    // From the last turn on, side by side, lies what moving damping reads.
-    /// What samples 1…3 of a hop would hear of x and y at its first if nothing were damped.
-    pub(super) undamped: [[[[f32; LANES]; 2]; 2]; HOP - 1],
+    /// exp(iωTk) for k = 0…7, or 0 for a mode that is never heard.
+    turns: [Complex<f32>; HOP],
+    /// What would be heard of each mode over a hop if nothing were damped.
+    pub(super) undamped: [Heard; LANES],
+    /// Decay rate that the pack's tables are made for, in 1/s.
+    pub(super) made_for: [f32; LANES],
+    // From here on, side by side, lies what moving damping reads.
     /// Undamped angular frequency as played, in rad/s.
     pub(super) played: [f32; LANES],
     /// Its inverse, in s.
@@ -31,8 +37,32 @@ pub(crate) struct Tone {
     pub(super) outside: [f32; LANES],
     /// Decay rate as played, in 1/s.
     pub(crate) decay: [f32; LANES],
-    /// exp(iωT) to the power of the cell's samples.
-    pub(super) cell: [[f64; LANES]; 2],
+    /// exp(iωT) to the power of a hop's samples.
+    pub(super) hop: Complex<f32>,
+    /// exp(iωT) to the power of a cell's samples.
+    pub(super) cell: Complex<f64>,
+}
+
+/// (a + ib)(c + id), lane by lane.
+#[inline(always)]
+fn product(p: &Complex<f64>, q: &Complex<f64>) -> Complex<f64> {
+    let mut out = [[0.0; LANES]; 2];
+    for i in 0..LANES {
+        out[0][i] = p[0][i] * q[0][i] - p[1][i] * q[1][i];
+        out[1][i] = p[0][i] * q[1][i] + p[1][i] * q[0][i];
+    }
+    out
+}
+
+/// In single floats.
+#[inline(always)]
+fn rounded(p: &Complex<f64>) -> Complex<f32> {
+    let mut out = [[0.0; LANES]; 2];
+    for i in 0..LANES {
+        out[0][i] = p[0][i] as f32;
+        out[1][i] = p[1][i] as f32;
+    }
+    out
 }
 
 impl Tone {
@@ -41,13 +71,15 @@ impl Tone {
         omega: [1e4; LANES],
         rates: [[0.0; LANES]; CAUSES],
         gain: [[[0.0; LANES]; 2]; 2],
+        turns: [[[0.0; LANES]; 2]; HOP],
+        undamped: [Heard::NONE; LANES],
+        made_for: [0.0; LANES],
         played: [1e4; LANES],
         inverse: [1e-4; LANES],
-        turns: [[[0.0; LANES]; 2]; HOP],
-        undamped: [[[[0.0; LANES]; 2]; 2]; HOP - 1],
-        cell: [[0.0; LANES]; 2],
         outside: [0.0; LANES],
         decay: [0.0; LANES],
+        hop: [[0.0; LANES]; 2],
+        cell: [[0.0; LANES]; 2],
     };
 
     /// Plays the modes at `ratio` times their frequency, sampled every `step_s`.
@@ -56,6 +88,7 @@ impl Tone {
     #[inline(always)]
     pub(crate) fn pitch(&mut self, ratio: f64, step_s: f64) {
         let mut turn = [[0.0; LANES]; 2];
+        let mut power = [[0.0; LANES]; 2];
         for i in 0..LANES {
             let omega = self.omega[i] * ratio;
             let angle = omega * step_s;
@@ -63,40 +96,32 @@ impl Tone {
             let heard = angle < HIGHEST * std::f64::consts::PI;
             turn[0][i] = if heard { cos } else { 0.0 };
             turn[1][i] = if heard { sin } else { 0.0 };
+            power[0][i] = if heard { 1.0 } else { 0.0 };
             self.played[i] = omega as f32;
             self.inverse[i] = (1.0 / omega) as f32;
         }
-        let mut power = turn;
-        for k in 0..HOP {
-            for i in 0..LANES {
-                self.turns[k][0][i] = power[0][i] as f32;
-                self.turns[k][1][i] = power[1][i] as f32;
-                let (re, im) = (power[0][i], power[1][i]);
-                power[0][i] = re * turn[0][i] - im * turn[1][i];
-                power[1][i] = re * turn[1][i] + im * turn[0][i];
-            }
+        for turns in &mut self.turns {
+            *turns = rounded(&power);
+            power = product(&power, &turn);
         }
-        self.cell = turn;
-        let mut samples = 1;
-        while samples < super::GRID {
-            for i in 0..LANES {
-                let (re, im) = (self.cell[0][i], self.cell[1][i]);
-                self.cell[0][i] = re * re - im * im;
-                self.cell[1][i] = 2.0 * re * im;
-            }
+        self.hop = rounded(&power);
+        let mut samples = HOP;
+        while samples < GRID {
+            power = product(&power, &power);
             samples *= 2;
         }
+        self.cell = power;
     }
 
     /// Takes up gains or a pitch that have moved.
     #[inline(always)]
     pub(super) fn hear(&mut self) {
-        for (undamped, turn) in self.undamped.iter_mut().zip(&self.turns) {
-            let [re, im] = turn;
-            for ([to_x, to_y], [x, y]) in undamped.iter_mut().zip(&self.gain) {
+        for (k, [re, im]) in self.turns.iter().enumerate() {
+            for (ear, [x, y]) in self.gain.iter().enumerate() {
                 for i in 0..LANES {
-                    to_x[i] = x[i] * re[i] + y[i] * im[i];
-                    to_y[i] = y[i] * re[i] - x[i] * im[i];
+                    let [of_x, of_y] = &mut self.undamped[i].0;
+                    of_x[ear * HOP + k] = x[i] * re[i] + y[i] * im[i];
+                    of_y[ear * HOP + k] = y[i] * re[i] - x[i] * im[i];
                 }
             }
         }
@@ -104,12 +129,12 @@ impl Tone {
 
     /// Real and imaginary part of exp(iωT).
     pub(crate) fn turn(&self) -> &[[f32; LANES]; 2] {
-        &self.turns[0]
+        &self.turns[1]
     }
 
     /// Whether the mode is too high to be heard at this sample rate.
     pub(crate) fn is_silent(&self, lane: usize) -> bool {
-        self.turns[0][0][lane] == 0.0 && self.turns[0][1][lane] == 0.0
+        self.turns[0][0][lane] == 0.0
     }
 }
 
