@@ -3,5 +3,6 @@
 mod motor;
 mod partials;
 mod real_time;
+mod ringing;
 mod strikes;
 mod support;
