@@ -4,5 +4,6 @@ mod hands;
 mod motor;
 mod partials;
 mod real_time;
+mod ringing;
 mod strikes;
 mod support;

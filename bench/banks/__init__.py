@@ -1,0 +1,1 @@
+"""The banks that banks.py sets side by side: built, run, tabled."""
