@@ -10,7 +10,9 @@ pub mod hands;
 mod notes;
 pub mod params;
 mod player;
+mod remote;
 mod stage;
+mod tuner;
 pub mod tuning;
 mod user_folder;
 mod workshop;
@@ -19,14 +21,15 @@ pub use user_folder::user_folder;
 
 use nice_plug::prelude::{
     ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,
-    ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, ProcessContext, ProcessMode,
-    ProcessStatus, RemoteControlsContext, RemoteControlsPage, RemoteControlsSection, Vst3Plugin,
-    Vst3SubCategory,
+    ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, PolyModulationConfig,
+    ProcessContext, ProcessMode, ProcessStatus, RemoteControlsContext, Vst3Plugin, Vst3SubCategory,
 };
 use params::Controls;
 use player::Player;
 use stage::Stage;
 use std::sync::Arc;
+use tuner::Tuner;
+use tuning::MtsClient;
 use workshop::Workshop;
 
 /// The plug-in.
@@ -73,11 +76,13 @@ impl Plugin for Idiophone {
     ) -> bool {
         let rate_hz = f64::from(buffer.sample_rate);
         self.workshop = Some(Workshop::open(rate_hz));
-        let stage = Stage::new(self.controls.instrument(), rate_hz);
-        self.player = Some(Player::new(match buffer.process_mode {
+        let stage = Stage::new(self.controls.body.index(), rate_hz);
+        let stage = match buffer.process_mode {
             ProcessMode::Offline => stage.patient(),
             ProcessMode::Realtime | ProcessMode::Buffered => stage,
-        }));
+        };
+        let controls = Arc::clone(&self.controls);
+        self.player = Some(Player::new(stage, self.tuner(), controls, rate_hz));
         true
     }
 
@@ -104,16 +109,14 @@ impl Plugin for Idiophone {
             }
             return ProcessStatus::Normal;
         };
-        let stage = player.stage();
         if let Some(workshop) = &self.workshop {
-            stage.turn(self.controls.instrument(), workshop);
+            player.stage().turn(self.controls.body.index(), workshop);
         }
-        stage.set(&self.controls.settings());
         player.play::<Self>(left, right, context);
-        if player.stage().awake() == 0 {
-            ProcessStatus::Normal
-        } else {
-            ProcessStatus::KeepAlive
+        match player.tail() {
+            Some(0) => ProcessStatus::Normal,
+            Some(frames) => ProcessStatus::Tail(frames),
+            None => ProcessStatus::KeepAlive,
         }
     }
 }
@@ -130,31 +133,29 @@ impl ClapPlugin for Idiophone {
         ClapFeature::Stereo,
     ];
 
+    const CLAP_POLY_MODULATION_CONFIG: Option<PolyModulationConfig> = Some(PolyModulationConfig {
+        max_voice_capacity: 128,
+        // A key has one body: another note on it goes on with what rings there.
+        supports_overlapping_voices: false,
+    });
+
     fn remote_controls(&self, context: &mut impl RemoteControlsContext) {
-        context.add_section("Instrument", |section| {
-            section.add_page("Strike and material", |page| {
-                let controls = &self.controls;
-                page.add_param(&controls.strike_position);
-                page.add_param(&controls.velocity_to_position);
-                page.add_param(&controls.position_scatter);
-                page.add_param(&controls.mallet_hardness);
-                page.add_param(&controls.alpha1);
-                page.add_param(&controls.alpha2);
-                page.add_param(&controls.note_off);
-                page.add_param(&controls.instrument);
-            });
-            section.add_page("Losses and motor", |page| {
-                let controls = &self.controls;
-                page.add_param(&controls.own_damping);
-                page.add_param(&controls.loss_factor);
-                page.add_param(&controls.radiation);
-                page.add_param(&controls.supports);
-                page.add_param(&controls.motor_speed);
-                page.add_param(&controls.motor_depth);
-                page.add_param(&controls.motor_phase);
-                page.add_param(&controls.output_gain);
-            });
+        remote::pages(&self.controls, context);
+    }
+}
+
+impl Idiophone {
+    /// How keys are tuned now, by whoever tunes them.
+    fn tuner(&self) -> Tuner {
+        let texts = self.controls.tuning();
+        if let Some(folder) = user_folder() {
+            texts.visit(&folder);
+        }
+        let master = MtsClient::connect().unwrap_or_else(|error| {
+            nice_plug::nice_warn!("{error}");
+            None
         });
+        Tuner::new(texts.tuning(), master)
     }
 }
 

@@ -42,6 +42,16 @@ impl Notes {
         self.slots[key as usize].take()
     }
 
+    /// The keys whose notes wait, as bits.
+    pub(crate) fn waiting(&self) -> u128 {
+        self.waiting
+    }
+
+    /// The channel of a key's last note, if it waits.
+    pub(crate) fn channel(&self, key: u8) -> Option<Channel> {
+        self.slots[usize::from(key & 127)].map(|note| note.channel)
+    }
+
     /// The keys that an event with this address is about, as bits.
     ///
     /// A note-off for a note whose key another note has taken over is about none.
@@ -70,6 +80,15 @@ impl Notes {
             .fold(0, |keys, (key, _)| keys | 1 << key)
             & all
     }
+}
+
+/// The keys whose bits are set, from the lowest.
+pub(crate) fn each(mut keys: u128) -> impl Iterator<Item = u8> {
+    std::iter::from_fn(move || {
+        let key = u8::try_from(keys.trailing_zeros()).ok()?;
+        keys &= keys.wrapping_sub(1);
+        (key < 128).then_some(key)
+    })
 }
 
 #[cfg(test)]

@@ -1,11 +1,17 @@
 //! The instrument that is struck, and those before it that still ring.
 
-use crate::engine::{Engine, GRID, Settings};
+use crate::engine::{Engine, GRID, Hit, Hold, Settings};
 use crate::factory;
 use crate::workshop::Bench;
 
 /// Instruments before the present one that may ring at the same time.
 const RINGING: usize = 4;
+
+/// An instrument, and the bodies whose last blow was its own, as bits.
+struct Act {
+    engine: Box<Engine>,
+    struck: u128,
+}
 
 /// The instruments that sound.
 ///
@@ -14,13 +20,14 @@ pub(crate) struct Stage {
     /// Whether to wait for an instrument, as when rendering offline: then it enters at the sample
     /// where it was asked for.
     patient: bool,
-    engine: Box<Engine>,
+    present: Act,
     index: usize,
     /// The last index asked for.
     wanted: usize,
-    ringing: [Option<Box<Engine>>; RINGING],
+    ringing: [Option<Act>; RINGING],
     settings: Settings,
-    pedal: bool,
+    /// What hands do to each body, of whatever instrument.
+    holds: [Hold; 128],
 }
 
 impl Stage {
@@ -28,12 +35,12 @@ impl Stage {
     pub(crate) fn new(index: usize, rate_hz: f64) -> Self {
         Self {
             patient: false,
-            engine: Box::new(Engine::new(factory::bank(index), rate_hz)),
+            present: Act::new(Box::new(Engine::new(factory::bank(index), rate_hz))),
             index,
             wanted: index,
             ringing: [const { None }; RINGING],
             settings: Settings::default(),
-            pedal: false,
+            holds: [Hold::FREE; 128],
         }
     }
 
@@ -62,7 +69,8 @@ impl Stage {
         }
         let Some(slot) = self.ringing.iter().position(Option::is_none) else {
             if let Some(oldest) = &mut self.ringing[0] {
-                oldest.choke_all();
+                oldest.engine.choke_all();
+                oldest.struck = 0;
             }
             return;
         };
@@ -77,17 +85,20 @@ impl Stage {
             Some((index, engine)) if index == self.wanted => self.enter(slot, index, engine),
             // Asked for before the last change of mind: it rings out at once, being silent.
             Some((_, engine)) => {
-                self.ringing[slot] = Some(engine);
+                self.ringing[slot] = Some(Act::new(engine));
                 bench.ask(self.wanted);
             }
             None => {}
         }
     }
 
-    fn enter(&mut self, slot: usize, index: usize, mut engine: Box<Engine>) {
-        engine.set(&self.settings);
-        engine.pedal(self.pedal);
-        self.ringing[slot] = Some(std::mem::replace(&mut self.engine, engine));
+    fn enter(&mut self, slot: usize, index: usize, engine: Box<Engine>) {
+        let mut act = Act::new(engine);
+        act.engine.set(&self.settings);
+        for (body, hold) in (0..).zip(&self.holds) {
+            act.hold(body, hold);
+        }
+        self.ringing[slot] = Some(std::mem::replace(&mut self.present, act));
         self.index = index;
     }
 
@@ -99,8 +110,9 @@ impl Stage {
             Bench::discard
         };
         for slot in &mut self.ringing {
-            if slot.as_ref().is_some_and(|engine| engine.awake() == 0) {
-                *slot = slot.take().and_then(|engine| discard(bench, engine).err());
+            if slot.as_ref().is_some_and(|act| act.engine.awake() == 0) {
+                let kept = |act: Act| discard(bench, act.engine).err();
+                *slot = slot.take().and_then(kept).map(Act::new);
             }
         }
         for slot in 1..RINGING {
@@ -110,12 +122,14 @@ impl Stage {
         }
     }
 
+    fn acts(&mut self) -> impl Iterator<Item = &mut Act> {
+        let present = std::iter::once(&mut self.present);
+        present.chain(self.ringing.iter_mut().flatten())
+    }
+
     /// Calls `act` for every instrument that sounds.
-    pub(crate) fn each(&mut self, mut act: impl FnMut(&mut Engine)) {
-        act(&mut self.engine);
-        for engine in self.ringing.iter_mut().flatten() {
-            act(engine);
-        }
+    pub(crate) fn each(&mut self, act: impl Fn(&mut Engine)) {
+        self.acts().for_each(|on| act(&mut on.engine));
     }
 
     /// New targets for all.
@@ -124,41 +138,81 @@ impl Stage {
         self.each(|engine| engine.set(settings));
     }
 
-    /// Strikes the present instrument.
-    pub(crate) fn strike(&mut self, key: u8, velocity: f32) {
-        self.engine.strike(key, velocity);
+    /// The keys for which the present instrument has bodies, as bits.
+    pub(crate) fn bodies(&self) -> u128 {
+        self.present.engine.bodies()
     }
 
-    /// The sustain pedal moves.
-    pub(crate) fn pedal(&mut self, down: bool) {
-        self.pedal = down;
-        self.each(|engine| engine.pedal(down));
+    /// Strikes a body of the present instrument.
+    pub(crate) fn hit(&mut self, body: u8, hit: &Hit) {
+        for act in self.ringing.iter_mut().flatten() {
+            act.struck &= !(1 << body);
+        }
+        if self.present.engine.hit(body, hit) {
+            self.present.struck |= 1 << body;
+        }
+    }
+
+    /// What hands do to a body; a bow is only on the instrument that was struck there last.
+    pub(crate) fn hold(&mut self, body: u8, hold: &Hold) {
+        if let Some(held) = self.holds.get_mut(usize::from(body)) {
+            *held = *hold;
+            self.acts().for_each(|act| act.hold(body, hold));
+        }
     }
 
     /// Silence, at once.
     pub(crate) fn reset(&mut self) {
-        self.pedal = false;
-        self.each(Engine::reset);
+        self.holds = [Hold::FREE; 128];
+        for act in self.acts() {
+            act.engine.reset();
+            act.struck = 0;
+        }
     }
 
-    /// The keys whose bodies sound, bit 0 for key 0.
+    /// The bodies that sound, bit 0 for key 0.
     pub(crate) fn awake(&self) -> u128 {
         let rest = self.ringing.iter().flatten();
-        rest.fold(self.engine.awake(), |keys, engine| keys | engine.awake())
+        rest.fold(self.present.engine.awake(), |bodies, act| {
+            bodies | act.engine.awake()
+        })
+    }
+
+    /// Time after which nothing is heard any longer, in s, if nothing changes.
+    pub(crate) fn tail_s(&self) -> f64 {
+        let rest = self.ringing.iter().flatten();
+        rest.fold(self.present.engine.tail_s(), |tail_s, act| {
+            tail_s.max(act.engine.tail_s())
+        })
     }
 
     /// Renders as many samples as the shorter of the two slices holds.
     pub(crate) fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
-        self.engine.process(left, right);
+        self.present.engine.process(left, right);
         let mut more = [[0.0; GRID]; 2];
-        for engine in self.ringing.iter_mut().flatten() {
+        for act in self.ringing.iter_mut().flatten() {
             for (left, right) in left.chunks_mut(GRID).zip(right.chunks_mut(GRID)) {
                 let [a, b] = &mut more;
-                engine.process(&mut a[..left.len()], &mut b[..right.len()]);
+                act.engine
+                    .process(&mut a[..left.len()], &mut b[..right.len()]);
                 add(left, a);
                 add(right, b);
             }
         }
+    }
+}
+
+impl Act {
+    fn new(engine: Box<Engine>) -> Self {
+        Self { engine, struck: 0 }
+    }
+
+    fn hold(&mut self, body: u8, hold: &Hold) {
+        let mut hold = *hold;
+        if self.struck >> (body & 127) & 1 == 0 {
+            hold.bow_pressure = 0.0;
+        }
+        self.engine.hold(body, &hold);
     }
 }
 
@@ -191,7 +245,7 @@ mod tests {
         let bench = Bench::new(48_000.0);
         let (mut stage, mut twin) = (Stage::new(0, 48_000.0), Stage::new(0, 48_000.0));
         for stage in [&mut stage, &mut twin] {
-            stage.strike(60, 0.8);
+            stage.hit(60, &Hit::plain(0.8));
             render(stage, 1000);
         }
         stage.turn(1, &bench);
@@ -200,7 +254,7 @@ mod tests {
         assert!(!bench.work(), "once");
         assert_eq!(stage.index, 1);
         assert_eq!(render(&mut stage, 1000), render(&mut twin, 1000));
-        stage.strike(60, 0.5);
+        stage.hit(60, &Hit::plain(0.5));
         let both = render(&mut stage, 4800);
         assert!(step(&both) < 0.05, "{}", step(&both));
         stage.each(Engine::choke_all);
@@ -209,6 +263,29 @@ mod tests {
         stage.turn(1, &bench);
         assert!(stage.ringing.iter().all(Option::is_none));
         assert!(bench.work(), "taken apart");
+    }
+
+    #[test]
+    fn a_bow_stays_on_the_instrument_that_it_was_laid_on() {
+        let bench = Bench::new(48_000.0);
+        let mut stage = Stage::new(3, 48_000.0);
+        let pressed = Hold {
+            bow_pressure: 1.0,
+            ..Hold::FREE
+        };
+        stage.hold(60, &pressed);
+        render(&mut stage, 4800);
+        assert_eq!(stage.awake(), 0, "not struck yet");
+        stage.hit(60, &Hit::plain(0.1));
+        stage.hold(60, &pressed);
+        stage.turn(4, &bench);
+        bench.work();
+        stage.turn(4, &bench);
+        assert_eq!(stage.index, 4);
+        stage.hold(60, &pressed);
+        render(&mut stage, 4800);
+        assert_eq!(stage.present.engine.awake(), 0);
+        assert_eq!(stage.awake(), 1 << 60);
     }
 
     #[test]
@@ -229,7 +306,7 @@ mod tests {
             (0u8..60)
                 .flat_map(|turn| {
                     stage.turn(usize::from(turn) * 5 % 7, &workshop);
-                    stage.strike(60 + turn % 12, 0.9);
+                    stage.hit(60 + turn % 12, &Hit::plain(0.9));
                     if turn % 9 == 0 {
                         stage.each(Engine::choke_all);
                     }
@@ -256,7 +333,7 @@ mod tests {
         assert_eq!(stage.index, 2);
         for turn in 0..10 {
             let wanted = if turn % 2 == 0 { 3 } else { 4 };
-            stage.strike(60, 1.0);
+            stage.hit(60, &Hit::plain(1.0));
             render(&mut stage, 64);
             let mut patience = 0;
             while stage.index != wanted && patience < 100 {

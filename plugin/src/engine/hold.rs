@@ -9,9 +9,9 @@ pub struct Hold {
     pub level: f64,
     /// −1 left, 1 right: takes the other ear away.
     pub pan: f64,
-    /// Share of the damper's weight on the body, 0…1; counts if note-off damps.
+    /// The damper on the body over its weight as built, 0…4; counts if note-off damps.
     pub felt: f64,
-    /// Decay rate that a hand adds, in 1/s.
+    /// Decay rate that a hand adds, in 1/s; below 0 it takes at most what Alpha 2 adds.
     pub hand_per_s: f64,
     /// How firmly a bow or a stick rubs, 0…1.
     pub bow_pressure: f64,
@@ -51,8 +51,8 @@ impl Hold {
             bend_semitones: within(self.bend_semitones, -120.0, 120.0, 0.0),
             level: within(self.level, 0.0, 4.0, 1.0),
             pan: within(self.pan, -1.0, 1.0, 0.0),
-            felt: within(self.felt, 0.0, 1.0, 0.0),
-            hand_per_s: within(self.hand_per_s, 0.0, 1e4, 0.0),
+            felt: within(self.felt, 0.0, 4.0, 0.0),
+            hand_per_s: within(self.hand_per_s, -1e4, 1e4, 0.0),
             bow_pressure: within(self.bow_pressure, 0.0, 1.0, 0.0),
             bow_speed_octaves: within(self.bow_speed_octaves, -4.0, 4.0, 0.0),
         }

@@ -37,6 +37,7 @@ pub use mallet::Mallet;
 pub use motor::Discs;
 pub use oscillators::Vectors;
 pub use settings::Settings;
+pub(crate) use touch::chance;
 pub use tweak::Tweak;
 
 /// Samples between two looks at the parameters, at what still sounds and at what has ended.

@@ -1,14 +1,24 @@
-//! Everything a host can automate.
+//! Everything a host can automate, subject by subject.
 
+pub mod assign;
+pub mod body;
+pub mod bow;
+mod build;
+mod choice;
 mod controls;
+pub mod damping;
+pub mod hands;
+pub mod listener;
+pub mod mallet;
+mod mallets;
+pub mod motor;
+pub mod output;
+mod poly;
 mod spec;
 mod state;
+pub mod strike;
 mod text;
 
 pub use controls::Controls;
-pub use spec::{
-    ALPHA1, ALPHA2, INSTRUMENT, LOSS_FACTOR, MALLET_HARDNESS, MOTOR_DEPTH, MOTOR_PHASE,
-    MOTOR_SPEED, NOTE_OFF, OUTPUT_GAIN, OWN_DAMPING, POSITION_SCATTER, RADIATION, SPECS,
-    STRIKE_POSITION, SUPPORTS, Spec, VELOCITY_RANGE, VELOCITY_TO_POSITION, WIDTH,
-};
+pub use spec::{GROUPS, Group, Spec, specs};
 pub use state::heal;

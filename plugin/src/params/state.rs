@@ -1,19 +1,30 @@
 //! A saved state made fit to load.
 
-use super::spec::{SPECS, Spec};
+use super::spec::{Spec, specs};
 use super::text::Text;
+use nice_plug::params::persist::deserialize_field;
 use nice_plug::plugin::ParamValue;
 use nice_plug::prelude::PluginState;
 
+/// The texts of the tuning.
+const TEXTS: [&str; 2] = ["scale", "kbm"];
+
 /// Brings every value into its range and gives every parameter that is missing its default; what is
-/// not known stays.
+/// not known stays. A tuning that is missing is none.
 ///
 /// Hosts hand over what a file says: without this an infinite gain goes through, and a song from
 /// before a parameter existed keeps whatever value that parameter had.
 pub fn heal(state: &mut PluginState) {
-    for spec in &SPECS {
+    for spec in specs() {
         let healed = healed(spec, state.params.get(spec.id));
         state.params.insert(spec.id.to_owned(), healed);
+    }
+    for text in TEXTS {
+        let field = state.fields.entry(text.to_owned()).or_default();
+        if deserialize_field::<String>(field).is_err() {
+            // An empty text as JSON.
+            "\"\"".clone_into(field);
+        }
     }
 }
 
@@ -21,10 +32,10 @@ fn healed(spec: &Spec, saved: Option<&ParamValue>) -> ParamValue {
     match (spec.text, saved) {
         (Text::Switch { .. }, Some(ParamValue::Bool(on))) => ParamValue::Bool(*on),
         (Text::Switch { .. }, _) => ParamValue::Bool(spec.default >= 0.5),
-        (Text::Instrument, Some(ParamValue::I32(index))) => {
+        (Text::Choice(_), Some(ParamValue::I32(index))) => {
             ParamValue::I32(spec.sane(*index as f32) as i32)
         }
-        (Text::Instrument, _) => ParamValue::I32(spec.default as i32),
+        (Text::Choice(_), _) => ParamValue::I32(spec.default as i32),
         (_, Some(ParamValue::F32(value))) if value.is_finite() => {
             ParamValue::F32(spec.sane(*value))
         }
@@ -35,6 +46,9 @@ fn healed(spec: &Spec, saved: Option<&ParamValue>) -> ParamValue {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hands::{Mpe, Source};
+    use crate::params::body::INSTRUMENT;
+    use crate::params::mallet::HARDNESS;
     use std::collections::BTreeMap;
 
     fn loaded(params: &[(&str, ParamValue)]) -> BTreeMap<String, ParamValue> {
@@ -50,9 +64,32 @@ mod tests {
         state.params
     }
 
+    #[test]
+    fn a_state_without_texts_of_a_tuning_has_empty_ones() {
+        let field = |text: &str| {
+            let mut state = PluginState {
+                version: String::new(),
+                params: BTreeMap::new(),
+                fields: BTreeMap::from([("scale".to_owned(), text.to_owned())]),
+            };
+            heal(&mut state);
+            (state.fields["scale"].clone(), state.fields["kbm"].clone())
+        };
+        let (scale, map) = field("\"a\\n1\\n2/1\"");
+        assert_eq!((scale.as_str(), map.as_str()), ("\"a\\n1\\n2/1\"", "\"\""));
+        assert_eq!(field("7").0, "\"\"");
+    }
+
     fn number(params: &BTreeMap<String, ParamValue>, id: &str) -> f32 {
         match params.get(id) {
             Some(ParamValue::F32(value)) => *value,
+            other => panic!("{id} is {other:?}"),
+        }
+    }
+
+    fn chosen(params: &BTreeMap<String, ParamValue>, id: &str) -> i32 {
+        match params.get(id) {
+            Some(ParamValue::I32(value)) => *value,
             other => panic!("{id} is {other:?}"),
         }
     }
@@ -68,20 +105,27 @@ mod tests {
             ("pos", ParamValue::F32(40.0)),
             ("later", ParamValue::I32(3)),
             ("instr", ParamValue::I32(99)),
+            ("mallet", ParamValue::I32(i32::MIN)),
+            ("src_1", ParamValue::F32(2.0)),
+            ("tgt_8", ParamValue::I32(3)),
+            ("limit", ParamValue::I32(0)),
         ]);
-        let last = SPECS[0].max as i32;
+        let last = INSTRUMENT.max as i32;
         assert!(matches!(params.get("instr"), Some(ParamValue::I32(index)) if *index == last));
         assert_eq!(number(&params, "gain"), 0.0);
         assert_eq!(number(&params, "alpha1"), 0.0);
         assert_eq!(number(&params, "alpha2"), 100.0);
         assert_eq!(number(&params, "width"), 100.0);
         assert_eq!(number(&params, "pos"), 40.0);
-        assert_eq!(
-            number(&params, "hard"),
-            crate::params::MALLET_HARDNESS.default
-        );
+        assert_eq!(number(&params, "hard"), HARDNESS.default);
+        assert_eq!(number(&params, "dep_2"), 50.0);
+        assert_eq!(chosen(&params, "mallet"), 0);
+        assert_eq!(chosen(&params, "src_1"), Source::Expression as i32);
+        assert_eq!(chosen(&params, "tgt_8"), 3);
+        assert_eq!(chosen(&params, "mpe"), Mpe::Auto as i32);
+        assert!(matches!(params.get("limit"), Some(ParamValue::Bool(true))));
         assert!(matches!(params.get("noff"), Some(ParamValue::Bool(false))));
         assert!(matches!(params.get("later"), Some(ParamValue::I32(3))));
-        assert_eq!(params.len(), SPECS.len() + 1);
+        assert_eq!(params.len(), specs().count() + 1);
     }
 }

@@ -45,7 +45,7 @@ impl Engine {
         Tuned {
             drain: Drain {
                 felt: on.felt,
-                hand_per_s: on.hand_per_s + hand.hold.hand_per_s,
+                hand_per_s: on.hand_per_s + hand.hold.hand_per_s.max(-0.5 * drain.alpha2_per_s),
                 ..drain
             },
             ratio: self.pitch * hand.bend * doppler,

@@ -203,6 +203,26 @@ impl Engine {
         self.awake
     }
 
+    /// The keys that have bodies, bit 0 for key 0.
+    #[must_use]
+    pub fn bodies(&self) -> u128 {
+        let there = |(key, body): (usize, &Option<Body>)| u128::from(body.is_some()) << key;
+        self.bodies.iter().enumerate().map(there).sum()
+    }
+
+    /// Time after which nothing that sounds now is louder than −100 dB of full scale, in s, if nothing
+    /// changes; infinite if something never tires.
+    #[must_use]
+    pub fn tail_s(&self) -> f64 {
+        const FLOOR: f64 = 1e-5;
+        let bodies = keys(self.awake).filter_map(|key| self.body(key));
+        bodies
+            .flat_map(|body| body.sounds(&self.packs))
+            .filter(|sound| sound.power > FLOOR * FLOOR)
+            .map(|sound| 0.5 * (sound.power.ln() - 2.0 * FLOOR.ln()) / sound.decay_per_s)
+            .fold(0.0, f64::max)
+    }
+
     /// Renders as many samples as the shorter of the two slices holds.
     pub fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
         let frames = left.len().min(right.len());
