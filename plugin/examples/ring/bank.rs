@@ -1,6 +1,6 @@
 //! A bank whose modes ring for a minute, from 50 Hz to 15 kHz, in any number.
 
-use idiophone::engine::Settings;
+use idiophone::engine::{Mallet, Settings};
 use modes::{
     Bank, Body, Damping, Family, Material, Member, Mode, ModeLabel, Provenance, Rayleigh,
     StrikeLine,
@@ -17,7 +17,10 @@ const BAND_HZ: (f64, f64) = (50.0, 15_050.0);
 
 /// A mallet of brass, off before the highest mode has turned, so that all are struck.
 pub(crate) const MALLET: Settings = Settings {
-    hardness_pa: 1e11,
+    mallet: Mallet {
+        hardness_pa: 1e11,
+        ..Mallet::DEFAULT
+    },
     ..Settings::DEFAULT
 };
 

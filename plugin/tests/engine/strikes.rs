@@ -214,7 +214,7 @@ enum Event {
     Release(u8),
     Hold(u8, Hold),
     Choke(u8),
-    Set(Settings),
+    Set(Box<Settings>),
 }
 
 /// A song of many events, some at the same sample.
@@ -238,7 +238,7 @@ fn song(keys: &[u8], samples: usize) -> Vec<(usize, Event)> {
                     },
                 ),
                 6 => Event::Choke(key),
-                _ => Event::Set(Settings {
+                _ => Event::Set(Box::new(Settings {
                     strike_position: random.unit(),
                     position_scatter: random.unit(),
                     mallet: head(1e6 * 1e5f64.powf(random.unit())),
@@ -266,7 +266,7 @@ fn song(keys: &[u8], samples: usize) -> Vec<(usize, Event)> {
                     swing: random.unit(),
                     gain_db: -20.0 * random.unit(),
                     ..Settings::default()
-                }),
+                })),
             };
             (random.below(samples), event)
         })

@@ -11,7 +11,7 @@ use super::bow::Rub;
 use super::contact::Contact;
 use super::grips;
 use super::oscillators::{LANES, Pack, Step, Tone};
-use super::source::{Hearing, Source, reached};
+use super::source::{Hearing, Reached, Source, reached};
 use super::sympathy::Strand;
 use pushed::MALLETS;
 use std::ops::Range;
@@ -82,7 +82,7 @@ impl Body {
             live: 0,
             driven: false,
             fading: Moved::NONE,
-            piped: usize::from(modes.iter().any(|mode| mode.is_piped())),
+            piped: usize::from(modes.iter().any(Reached::is_piped)),
             tones,
             sources,
             normal,

@@ -208,8 +208,8 @@ impl Body {
         let reach = &self.mallets[mallet].reach;
         let mut sum = 0.0;
         for ((reach, tone), pack) in reach.iter().zip(&self.tones).zip(packs) {
-            for i in 0..LANES {
-                sum += reach[i].abs() * pack.x[i].abs().max(pack.y[i].abs()) / tone.omega[i];
+            for (i, reach) in reach.iter().enumerate() {
+                sum += reach.abs() * pack.x[i].abs().max(pack.y[i].abs()) / tone.omega[i];
             }
         }
         1.5 * sum

@@ -27,7 +27,7 @@ impl Chance {
 fn random_body(chance: &mut Chance, modes: usize) -> modes::Body {
     let mass_kg = chance.between(0.01, 10.0);
     let lowest = chance.between(30.0, 3000.0);
-    let points = 8;
+    const POINTS: u8 = 8;
     let modes = (0..modes)
         .map(|i| modes::Mode {
             hz: lowest * (1.0 + i as f64 * (0.5 + chance.unit())),
@@ -45,7 +45,7 @@ fn random_body(chance: &mut Chance, modes: usize) -> modes::Body {
                 index: i as u16,
                 member: modes::Member::Single,
             },
-            shape: (0..points)
+            shape: (0..POINTS)
                 .map(|_| {
                     [
                         ((4.0 * chance.unit() - 2.0) / mass_kg.sqrt()) as f32,
@@ -62,8 +62,8 @@ fn random_body(chance: &mut Chance, modes: usize) -> modes::Body {
         length_m: 0.3,
         mass_kg,
         line: modes::StrikeLine {
-            points_m: (0..points).map(|i| [0.0, 0.0, f64::from(i)]).collect(),
-            normals: vec![[1.0, 0.0, 0.0]; points as usize],
+            points_m: (0..POINTS).map(|i| [0.0, 0.0, f64::from(i)]).collect(),
+            normals: vec![[1.0, 0.0, 0.0]; usize::from(POINTS)],
         },
         modes,
     }

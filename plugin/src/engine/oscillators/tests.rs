@@ -4,6 +4,9 @@ use super::*;
 use crate::engine::losses::Drain;
 use std::f64::consts::TAU;
 
+/// The first pack alone.
+const ONE: [Range<usize>; 1] = [Range { start: 0, end: 1 }];
+
 const KERNELS: [Vectors; 3] = [Vectors::Widest, Vectors::Avx2, Vectors::Plain];
 
 /// Modes at `hz` as built, all heard from y on the left and from x on the right.
@@ -60,7 +63,7 @@ fn a_minute_s_decay_is_a_minute_s() {
             let (mut error, mut size) = (0.0f64, 0.0f64);
             let mut out = SILENT;
             for cell in 0..cells {
-                kernel.ring(&mut packs, &[0..1], true, &mut Hops::ROOM.clone(), &mut out);
+                kernel.ring(&mut packs, &ONE, true, &mut Hops::ROOM.clone(), &mut out);
                 if cell + 100 < cells {
                     continue;
                 }
@@ -218,7 +221,7 @@ fn a_cell_taken_back_is_where_it_was() {
     let before = packs[0].clone();
     kernel.ring(
         &mut packs,
-        &[0..1],
+        &ONE,
         true,
         &mut Hops::ROOM.clone(),
         &mut [[0.0; GRID]; 2],
