@@ -47,6 +47,11 @@ impl Cell {
         self.open = true;
     }
 
+    /// A new cell, with the same in it as in the last.
+    pub(super) fn again(&mut self) {
+        self.open = true;
+    }
+
     /// The cell is over, or does not count.
     pub(super) fn close(&mut self) {
         self.open = false;
@@ -55,21 +60,14 @@ impl Cell {
 
     /// What of a body is to be heard otherwise from now on.
     pub(super) fn leave(&mut self, body: &Body, moved: Moved) {
-        let old = split(body, moved).0;
-        if !old.is_empty() {
-            self.old.push(old);
-        }
+        join(&mut self.old, split(body, moved).0);
     }
 
     /// A body sounds in this cell, its gains being those at its end.
     pub(super) fn enter(&mut self, body: &Body, moved: Moved) {
         let (new, same) = split(body, moved);
-        if !new.is_empty() {
-            self.new.push(new);
-        }
-        if !same.is_empty() {
-            self.same.push(same);
-        }
+        join(&mut self.new, new);
+        join(&mut self.same, same);
     }
 
     /// Renders what has left.
@@ -147,4 +145,13 @@ fn split(body: &Body, Moved(moved): Moved) -> (Range<usize>, Range<usize>) {
     let Range { start, end } = body.ringing();
     let middle = (start + moved).min(end);
     (start..middle, middle..end)
+}
+
+/// Lists a range of packs, in one with the last if it goes on where that ends.
+fn join(list: &mut Vec<Range<usize>>, next: Range<usize>) {
+    match list.last_mut() {
+        _ if next.is_empty() => {}
+        Some(last) if last.end == next.start => last.end = next.end,
+        _ => list.push(next),
+    }
 }

@@ -81,13 +81,10 @@ impl Trial {
     fn strike(&mut self, velocity: f32) {
         let (settings, step_s) = (Settings::default(), 1.0 / LOOK_HZ);
         self.body.hush(&mut self.packs);
-        self.body.tune(
-            self.kernel,
-            &mut self.packs,
-            self.tuned,
-            &Hearing::AS_BUILT,
-            step_s,
-        );
+        let moved = self.body.listen(&Hearing::AS_BUILT);
+        let packs = &mut self.packs;
+        self.body
+            .tune(self.kernel, packs, (self.tuned, moved), step_s);
         let strike = Strike {
             mallet: settings.mallet,
             body_pa: self.body_pa,

@@ -17,7 +17,7 @@ use pushed::MALLETS;
 use std::ops::Range;
 
 /// Amplitude below which a mode is stopped, as a fraction of full scale: −180 dB.
-const FLOOR: f64 = 1e-9;
+pub(crate) const FLOOR: f64 = 1e-9;
 
 /// A body that rings.
 #[derive(Clone, Debug)]

@@ -31,21 +31,25 @@ impl Body {
         }
     }
 
+    /// From the end of this cell on the body is heard so; which packs are heard otherwise then.
+    pub(crate) fn listen(&mut self, hearing: &Hearing) -> Moved {
+        let moved = self.moved(hearing);
+        for (tone, source) in self.tones.iter_mut().zip(&self.sources).take(moved.0) {
+            source.gains(hearing, &tone.omega, &mut tone.gain);
+        }
+        self.heard = Some(*hearing);
+        moved
+    }
+
     /// Tunes the modes, if they are not tuned so or are to be heard otherwise; whether they are to be tuned
     /// once more when nothing moves.
     pub(crate) fn tune(
         &mut self,
         kernel: Kernel,
         packs: &mut [Pack],
-        tuned: Tuned,
-        hearing: &Hearing,
+        (tuned, Moved(moved)): (Tuned, Moved),
         step_s: f64,
     ) -> bool {
-        let Moved(moved) = self.moved(hearing);
-        for (tone, source) in self.tones.iter_mut().zip(&self.sources).take(moved) {
-            source.gains(hearing, &tone.omega, &mut tone.gain);
-        }
-        self.heard = Some(*hearing);
         let pitch = self.tuned.is_none_or(|old| old.ratio != tuned.ratio);
         let all = self.tuned != Some(tuned);
         // What moving damping has left a hair off is put right when it rests.
@@ -73,7 +77,7 @@ impl Body {
         });
         self.tuned = Some(tuned);
         if moved > 0 {
-            self.listen(moved, self.live == 0);
+            self.hear(moved, self.live == 0);
         }
         if self.driven && all {
             self.tune_steps(kernel, step_s);
@@ -92,7 +96,7 @@ impl Body {
     }
 
     /// Takes the gains over to where the modes are pushed.
-    fn listen(&mut self, packs: usize, at_once: bool) {
+    fn hear(&mut self, packs: usize, at_once: bool) {
         for (step, tone) in self.steps.iter_mut().zip(&self.tones).take(packs) {
             step.listen(tone, at_once);
         }

@@ -114,7 +114,8 @@ fn no_blow_creates_energy() {
         let given = random_body(&mut chance, 3 + (trial % 30) as usize);
         let mut body = Body::new(&given, 1.0, 0);
         let mut packs = vec![Pack::STILL; body.place.len()];
-        body.tune(kernel, &mut packs, FREE, &Hearing::AS_BUILT, step_s);
+        let moved = body.listen(&Hearing::AS_BUILT);
+        body.tune(kernel, &mut packs, (FREE, moved), step_s);
         let rings = chance.between(1e-4, 3.0);
         for pack in &mut packs {
             for i in 0..LANES {

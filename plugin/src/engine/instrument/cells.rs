@@ -1,11 +1,19 @@
 //! What is looked at on the grid, and the sound of a cell.
 
-use super::{Engine, LOOKS, finish, keys};
+use super::{Engine, finish, keys};
 use crate::engine::GRID;
 use crate::engine::body::{Moved, Tuned};
 use crate::engine::damper::{Dampers, bit};
 use crate::engine::losses::Drain;
 use crate::engine::source::Hearing;
+
+/// Every thirty-second key.
+const PARTS: u128 = 0x0000_0001_0000_0001_0000_0001_0000_0001;
+
+/// The keys that have their turn in this cell to be looked at for sleep.
+fn looked_at(cell: u64) -> u128 {
+    PARTS << (cell % 32)
+}
 
 impl Engine {
     /// Parameters that nobody hears move are there at once.
@@ -19,17 +27,24 @@ impl Engine {
     /// Works out what follows from parameters that have moved.
     fn moved(&mut self) {
         let listener = self.glides.listener();
-        self.ways = listener.ways(&self.ears_m);
-        self.width = listener.width;
+        let (ways, width) = (listener.ways(&self.ears_m), listener.width);
+        if (ways, width) != (self.ways, self.width) {
+            (self.ways, self.width) = (ways, width);
+            self.unheard = u128::MAX;
+        }
         self.pitch = self.glides.tweak().pitch();
         self.stale = u128::MAX;
     }
 
-    /// What the modes of a key's body are tuned to now.
-    pub(super) fn tuned(&self, key: u8) -> Tuned {
+    /// What drains all bodies alike now.
+    pub(super) fn drain(&self) -> Drain {
+        self.glides.drain(&self.own, self.motor.taken())
+    }
+
+    /// What the modes of a key's body are tuned to now, `drain` being what drains all.
+    pub(super) fn tuned(&self, key: u8, drain: &Drain) -> Tuned {
         let slot = usize::from(key);
         let hand = &self.hands[slot];
-        let drain = self.glides.drain(&self.own, self.motor.taken());
         let has_felt = self.body(key).is_some_and(|body| body.has_felt);
         let felt = if self.settings.note_off_damps {
             hand.hold.felt
@@ -41,23 +56,30 @@ impl Engine {
         } else {
             Dampers::new(felt, has_felt)
         };
-        let (doppler, _) = self.swings[slot].heard(self.glides.swing(), self.distance_m);
+        let doppler = self.swung(key).0;
         Tuned {
             drain: Drain {
                 felt: on.felt,
                 hand_per_s: on.hand_per_s + hand.hold.hand_per_s.max(-0.5 * drain.alpha2_per_s),
-                ..drain
+                ..*drain
             },
             ratio: self.pitch * hand.bend * doppler,
         }
+    }
+
+    /// Pitch and level of a key's body over those at rest, as it swings.
+    fn swung(&self, key: u8) -> (f64, f64) {
+        if self.swinging & bit(key) == 0 {
+            return (1.0, 1.0);
+        }
+        self.swings[usize::from(key)].heard(self.glides.swing(), self.distance_m)
     }
 
     /// How a key's body is heard at the end of this cell.
     pub(super) fn hearing(&self, key: u8) -> Hearing {
         let slot = usize::from(key);
         let hold = &self.hands[slot].hold;
-        let (_, nearer) = self.swings[slot].heard(self.glides.swing(), self.distance_m);
-        let level = hold.level * nearer;
+        let level = hold.level * self.swung(key).1;
         let pans = [1.0 - hold.pan, 1.0 + hold.pan].map(|share| level * share.min(1.0));
         let mut ways = self.ways;
         for (way, pan) in ways.iter_mut().zip(pans) {
@@ -81,14 +103,17 @@ impl Engine {
             self.moved();
         }
         if self.motor.advance(&self.glides.discs(), self.step_s) {
-            self.stale = u128::MAX;
+            (self.stale, self.unheard) = (u128::MAX, u128::MAX);
         }
         self.gain = [self.gain[1], self.glides.gain()];
+        if self.glides.swing() > 0.0 {
+            self.stale |= self.swinging;
+            self.unheard |= self.swinging;
+        }
         for key in keys(self.swinging) {
             if !self.swings[usize::from(key)].advance(&self.swing_step) {
                 self.swinging &= !bit(key);
             }
-            self.stale |= bit(key);
         }
         self.rest();
         self.rub();
@@ -102,6 +127,7 @@ impl Engine {
         if sympathy == 0.0 {
             return;
         }
+        self.arranged = None;
         for key in 0..128 {
             let slot = usize::from(key);
             let Some(body) = self.bodies[slot].as_mut() else {
@@ -111,6 +137,7 @@ impl Engine {
                 self.awake |= bit(key);
                 body.fading = Moved::NONE;
                 self.stale |= bit(key);
+                self.unheard |= bit(key);
             }
         }
         let mut all = [0.0; GRID];
@@ -119,15 +146,17 @@ impl Engine {
                 body.feel(self.kernel, &self.packs, &mut all);
             }
         }
+        let drain = self.drain();
         let joined = self.bodies.iter().flatten().count().max(1) as f64;
         let share = sympathy * self.glides.supports().min(1.0) * self.step_s / joined;
         for key in 0..128 {
-            let (tuned, hearing) = (self.tuned(key), self.hearing(key));
+            let (tuned, hearing) = (self.tuned(key, &drain), self.hearing(key));
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
             if self.awake & bit(key) == 0 {
-                body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s);
+                let moved = body.listen(&hearing);
+                body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
             }
             body.answer(self.kernel, &all, share as f32);
         }
@@ -135,40 +164,59 @@ impl Engine {
 
     /// A cell of what rings freely.
     fn ring(&mut self) {
-        self.cell.begin();
         let stale = self.awake & self.stale;
-        for key in keys(stale & !self.driven) {
+        let sounding = (self.awake, self.driven);
+        if stale == 0 && self.arranged == Some(sounding) {
+            self.cell.again();
+        } else {
+            self.cell.begin();
+            self.retune(stale);
+            self.arrange();
+            self.arranged = (stale == 0).then_some(sounding);
+        }
+        self.cell.ring_entered(self.kernel, &mut self.packs);
+    }
+
+    /// Tunes those of the bodies whose bits are set; what is heard of them otherwise from now on sounds
+    /// once more as before.
+    fn retune(&mut self, stale: u128) {
+        let unheard = stale & self.unheard;
+        for key in keys(unheard & !self.driven) {
             let hearing = self.hearing(key);
             if let Some(body) = &self.bodies[usize::from(key)] {
                 self.cell.leave(body, body.moved(&hearing));
             }
         }
         self.cell.ring_left(self.kernel, &mut self.packs);
-        // What stays stale is off by a hair until nothing moves it any more.
         self.stale &= !stale;
+        self.unheard &= !unheard;
+        let drain = self.drain();
         for key in keys(stale) {
-            let (tuned, hearing) = (self.tuned(key), self.hearing(key));
+            let tuned = self.tuned(key, &drain);
+            let hearing = (unheard & bit(key) != 0).then(|| self.hearing(key));
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            let moved = body.moved(&hearing);
-            if body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s) {
+            let moved = hearing.map_or(Moved::NONE, |hearing| body.listen(&hearing));
+            if body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s) {
                 self.stale |= bit(key);
             }
             body.fading = moved;
         }
-        for key in keys(self.awake) {
-            let Some(body) = self.bodies[usize::from(key)].as_mut() else {
-                continue;
-            };
-            if stale & bit(key) == 0 {
+        for key in keys(self.awake & !stale) {
+            if let Some(body) = self.bodies[usize::from(key)].as_mut() {
                 body.fading = Moved::NONE;
             }
-            if !body.driven {
+        }
+    }
+
+    /// Says what sounds in this cell.
+    fn arrange(&mut self) {
+        for key in keys(self.awake & !self.driven) {
+            if let Some(body) = &self.bodies[usize::from(key)] {
                 self.cell.enter(body, body.fading);
             }
         }
-        self.cell.ring_entered(self.kernel, &mut self.packs);
     }
 
     /// Moves bows on, and takes those away that are lifted.
@@ -195,17 +243,24 @@ impl Engine {
 
     /// Takes mallets away that have left, and lets bodies sleep that no longer sound.
     fn rest(&mut self) {
-        let look = self.position / GRID as u64;
-        for key in keys(self.awake) {
+        for key in keys(self.driven) {
+            if let Some(body) = self.bodies[usize::from(key)].as_mut()
+                && body.part(&self.packs)
+            {
+                self.driven &= !bit(key);
+            }
+        }
+        for key in keys(self.awake & looked_at(self.position / GRID as u64)) {
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            if body.part(&self.packs) {
-                self.driven &= !bit(key);
-            }
-            if (look + u64::from(key)).is_multiple_of(LOOKS) && !body.settle(&mut self.packs) {
+            let before = body.live;
+            if !body.settle(&mut self.packs) {
                 body.hush(&mut self.packs);
                 self.awake &= !bit(key);
+            }
+            if body.live != before {
+                self.arranged = None;
             }
         }
     }

@@ -21,9 +21,6 @@ use playing::Hand;
 /// it (with the limiter, below full scale) the output is the sum of the modes, bit for bit.
 pub const OUTPUT_BOUND: f32 = 64.0;
 
-/// Cells of the grid between two looks at whether a body still sounds.
-const LOOKS: u64 = 16;
-
 /// Sample rates there are coefficients for, in Hz.
 const RATES_HZ: (f64, f64) = (1e3, 768e3);
 
@@ -53,8 +50,10 @@ pub struct Engine {
     bowed: u128,
     /// Bodies that swing.
     swinging: u128,
-    /// Bodies whose tuning or hearing may have to change.
+    /// Bodies whose tuning may have to change, and those of them of which the same is true of what is
+    /// heard.
     stale: u128,
+    unheard: u128,
     swings: [Swing; 128],
     swing_step: SwingStep,
     settings: Settings,
@@ -66,6 +65,9 @@ pub struct Engine {
     pitch: f64,
     /// What rings freely in this cell of the grid.
     cell: Cell,
+    /// The bodies that sounded, and those pushed, when the cell's packs were listed; none if these have
+    /// to be listed anew.
+    arranged: Option<(u128, u128)>,
     /// Output gain at the start of the cell and at its end.
     gain: [f64; 2],
     limiter: Limiter,
@@ -150,6 +152,7 @@ impl Engine {
             bowed: 0,
             swinging: 0,
             stale: u128::MAX,
+            unheard: u128::MAX,
             swings: [Swing::default(); 128],
             swing_step: SwingStep::new(step_s * GRID as f64),
             gain: [glides.gain(); 2],
@@ -158,6 +161,7 @@ impl Engine {
             width: settings.listener.width,
             pitch: 1.0,
             cell: Cell::new(packs),
+            arranged: None,
             limiter: Limiter::new(step_s),
             glides,
             settings,
@@ -178,12 +182,13 @@ impl Engine {
         self.hands = [Hand::FREE; 128];
         self.bowed = 0;
         self.swinging = 0;
-        self.stale = u128::MAX;
+        (self.stale, self.unheard) = (u128::MAX, u128::MAX);
         self.swings = [Swing::default(); 128];
         self.limiter.reset();
         self.position = 0;
         self.motor = Motor::new();
         self.cell.close();
+        self.arranged = None;
         self.arrive();
     }
 

@@ -78,14 +78,15 @@ impl Engine {
 
     /// Makes a body ready to be pushed from here on.
     pub(super) fn wake(&mut self, key: u8) {
-        let (tuned, hearing) = (self.tuned(key), self.hearing(key));
+        let (tuned, hearing) = (self.tuned(key, &self.drain()), self.hearing(key));
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
             return;
         };
         if self.awake & bit(key) == 0 {
             self.awake |= bit(key);
             body.fading = Moved::NONE;
-            body.tune(self.kernel, &mut self.packs, tuned, &hearing, self.step_s);
+            let moved = body.listen(&hearing);
+            body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
         } else if self.driven & bit(key) == 0 {
             let phase = (self.position % GRID as u64) as usize;
             self.cell
@@ -102,8 +103,12 @@ impl Engine {
         if hold.bend_semitones != hand.hold.bend_semitones {
             hand.bend = (hold.bend_semitones / 12.0).exp2();
         }
+        if hold == hand.hold {
+            return;
+        }
         hand.hold = hold;
         self.stale |= bit(key);
+        self.unheard |= bit(key);
         if hold.bow_pressure > 0.0 {
             self.bowed |= bit(key);
         }

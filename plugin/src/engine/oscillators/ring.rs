@@ -3,13 +3,13 @@
 //! Over a hop the sound of a mode is x times one table and y times another; what is kept in registers is
 //! the sound of a whole cell, and nothing is ever summed across lanes.
 
-use super::pack::{HOP, HOPS, LANES, Pack};
+use super::pack::{HOP, HOPS, Heard, LANES, Pack};
 use super::{Buses, GRID};
 use pulp::{Simd, WithSimd};
 use std::ops::Range;
 
 /// Packs whose sound is summed in single floats, before it is added to the rest in doubles.
-pub(crate) const TOGETHER: usize = 8;
+pub(crate) const TOGETHER: usize = 16;
 
 /// One cell of all packs in `ranges`.
 pub(super) struct Ring<'a> {
@@ -107,18 +107,39 @@ fn add<S: Simd, const V: usize, const SUMS: usize>(
     sums: &mut [[[S::f32s; V]; SUMS]; HOPS],
 ) {
     let mut all = *sums;
-    for (i, heard) in pack.heard.iter().enumerate() {
-        let of_x = S::as_simd_f32s(&heard.0[0]).0;
-        let of_y = S::as_simd_f32s(&heard.0[1]).0;
-        for (sums, [x, y]) in all.iter_mut().zip(&hops.0) {
-            let (x, y) = (s.splat_f32s(x[i]), s.splat_f32s(y[i]));
-            for v in 0..V {
-                sums[0][v] = s.mul_add_e_f32s(x, of_x[v], sums[0][v]);
-                sums[SUMS - 1][v] = s.mul_add_e_f32s(y, of_y[v], sums[SUMS - 1][v]);
-            }
-        }
+    // Written out, because the compiler would count to eight for every eight modes.
+    for (number, heard) in pack.heard.as_chunks::<8>().0.iter().enumerate() {
+        let [a, b, c, d, e, f, g, h] = heard;
+        let i = 8 * number;
+        one::<S, V, SUMS>(s, a, (hops, i), &mut all);
+        one::<S, V, SUMS>(s, b, (hops, i + 1), &mut all);
+        one::<S, V, SUMS>(s, c, (hops, i + 2), &mut all);
+        one::<S, V, SUMS>(s, d, (hops, i + 3), &mut all);
+        one::<S, V, SUMS>(s, e, (hops, i + 4), &mut all);
+        one::<S, V, SUMS>(s, f, (hops, i + 5), &mut all);
+        one::<S, V, SUMS>(s, g, (hops, i + 6), &mut all);
+        one::<S, V, SUMS>(s, h, (hops, i + 7), &mut all);
     }
     *sums = all;
+}
+
+/// Adds the sound of mode `i`.
+#[inline(always)]
+fn one<S: Simd, const V: usize, const SUMS: usize>(
+    s: S,
+    heard: &Heard,
+    (hops, i): (&Hops, usize),
+    all: &mut [[[S::f32s; V]; SUMS]; HOPS],
+) {
+    let of_x = S::as_simd_f32s(&heard.0[0]).0;
+    let of_y = S::as_simd_f32s(&heard.0[1]).0;
+    for (sums, [x, y]) in all.iter_mut().zip(&hops.0) {
+        let (x, y) = (s.splat_f32s(x[i]), s.splat_f32s(y[i]));
+        for v in 0..V {
+            sums[0][v] = s.mul_add_e_f32s(x, of_x[v], sums[0][v]);
+            sums[SUMS - 1][v] = s.mul_add_e_f32s(y, of_y[v], sums[SUMS - 1][v]);
+        }
+    }
 }
 
 /// The states at each hop.
@@ -142,16 +163,14 @@ fn leap<S: Simd>(s: S, pack: &Pack, hops: &mut Hops) {
     }
 }
 
-/// f64 to f32; what f32 has no full digits for becomes 0.
+/// f64 to f32. What f32 has no full digits for is stopped before long: see [`FLOOR`].
+///
+/// [`FLOOR`]: crate::engine::body::FLOOR
 #[inline(always)]
 pub(super) fn single(values: &[f64; LANES]) -> [f32; LANES] {
     let mut singles = [0.0; LANES];
     for i in 0..LANES {
-        singles[i] = if values[i].abs() < 1e-30 {
-            0.0
-        } else {
-            values[i] as f32
-        };
+        singles[i] = values[i] as f32;
     }
     singles
 }

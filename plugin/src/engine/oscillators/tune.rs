@@ -41,9 +41,14 @@ impl WithSimd for Tune<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, s: S) {
-        let step_s = self.step_s as f32;
         let anew = self.gains || self.ratio.is_some();
-        for (tone, pack) in self.tones.iter_mut().zip(self.packs) {
+        let zero = s.splat_f32s(0.0);
+        let mut all = Extremes {
+            decay: zero,
+            shifted: zero,
+            moved: zero,
+        };
+        for tone in &mut *self.tones {
             if let Some(ratio) = self.ratio {
                 tone.pitch(ratio, self.step_s);
             }
@@ -53,29 +58,83 @@ impl WithSimd for Tune<'_> {
             if self.causes {
                 outside(s, tone, &self.drain);
             }
-            let most = decay(s, tone, &self.drain);
-            let light = most.decay * step_s * (GRID as f32) < LIGHT;
-            if !(light && most.shifted * step_s < STRAIGHT) {
+            decay(s, tone, &self.drain, &mut all);
+        }
+        let step_s = self.step_s as f32;
+        let kind = all.kind(s, step_s);
+        let tables_too = anew || self.exact || kind.stale;
+        *self.off |= !tables_too && kind.moved;
+        for (tone, pack) in self.tones.iter_mut().zip(self.packs) {
+            if kind.heavy && Extremes::of(s, tone).kind(s, step_s).heavy {
                 tone.made_for = tone.decay;
                 heavy::steps(tone, self.step_s, pack);
                 continue;
             }
             let lost = steps(s, tone, step_s, pack);
-            if anew || self.exact || most.moved * step_s * (HOP - 1) as f32 > STALE {
+            if tables_too {
                 tone.made_for = tone.decay;
                 tables(s, tone, &lost, pack);
-            } else if most.moved > 0.0 {
-                *self.off = true;
             }
         }
     }
 }
 
-/// The greatest of sixteen modes: d, d²/ω, and how far d is off what the tables are made for.
-struct Most {
-    decay: f32,
-    shifted: f32,
-    moved: f32,
+/// The greatest of all modes, lane by lane: d, d²/ω, and how far d is off what the tables are made for.
+struct Extremes<V> {
+    decay: V,
+    shifted: V,
+    moved: V,
+}
+
+/// What that asks for.
+struct Kind {
+    /// Whether short series do not do.
+    heavy: bool,
+    /// Whether tables have to be made anew, and whether any is off at all.
+    stale: bool,
+    moved: bool,
+}
+
+impl<V: Copy> Extremes<V> {
+    /// Takes in a vector of modes that decay at `decay`, for 1/ω and the rates that tables are made for.
+    #[inline(always)]
+    fn see<S: Simd<f32s = V>>(&mut self, s: S, decay: V, inverse: V, made_for: V) {
+        let square = s.mul_f32s(s.mul_f32s(decay, decay), inverse);
+        let (more, less) = (s.sub_f32s(decay, made_for), s.sub_f32s(made_for, decay));
+        self.decay = s.max_f32s(self.decay, decay);
+        self.shifted = s.max_f32s(self.shifted, square);
+        self.moved = s.max_f32s(self.moved, s.max_f32s(more, less));
+    }
+
+    /// Of one pack whose decay rates are known.
+    #[inline(always)]
+    fn of<S: Simd<f32s = V>>(s: S, tone: &Tone) -> Self {
+        let zero = s.splat_f32s(0.0);
+        let mut all = Self {
+            decay: zero,
+            shifted: zero,
+            moved: zero,
+        };
+        let decays = S::as_simd_f32s(&tone.decay).0;
+        let inverse = S::as_simd_f32s(&tone.inverse).0;
+        let made_for = S::as_simd_f32s(&tone.made_for).0;
+        for v in 0..decays.len() {
+            all.see(s, decays[v], inverse[v], made_for[v]);
+        }
+        all
+    }
+
+    #[inline(always)]
+    fn kind<S: Simd<f32s = V>>(&self, s: S, step_s: f32) -> Kind {
+        let light = s.reduce_max_f32s(self.decay) * step_s * (GRID as f32) < LIGHT
+            && s.reduce_max_f32s(self.shifted) * step_s < STRAIGHT;
+        let moved = s.reduce_max_f32s(self.moved);
+        Kind {
+            heavy: !light,
+            stale: moved * step_s * (HOP - 1) as f32 > STALE,
+            moved: moved > 0.0,
+        }
+    }
 }
 
 /// What the causes outside the material take of all modes.
@@ -95,7 +154,7 @@ fn outside<S: Simd>(s: S, tone: &mut Tone, drain: &Drain) {
 
 /// Decay rates of all modes: by the material, from outside, and by hand.
 #[inline(always)]
-fn decay<S: Simd>(s: S, tone: &mut Tone, drain: &Drain) -> Most {
+fn decay<S: Simd>(s: S, tone: &mut Tone, drain: &Drain, all: &mut Extremes<S::f32s>) {
     let alpha1 = s.splat_f32s((0.5 * drain.alpha1_s) as f32);
     let loss = s.splat_f32s((0.5 * drain.loss_factor) as f32);
     let even = s.splat_f32s((0.5 * drain.alpha2_per_s + drain.hand_per_s) as f32);
@@ -103,25 +162,11 @@ fn decay<S: Simd>(s: S, tone: &mut Tone, drain: &Drain) -> Most {
     let inverse = S::as_simd_f32s(&tone.inverse).0;
     let outside = S::as_simd_f32s(&tone.outside).0;
     let made_for = S::as_simd_f32s(&tone.made_for).0;
-    let zero = s.splat_f32s(0.0);
-    let (mut most, mut shifted, mut moved) = (zero, zero, zero);
-    for (v, decay) in S::as_mut_simd_f32s(&mut tone.decay)
-        .0
-        .iter_mut()
-        .enumerate()
-    {
+    let decays = S::as_mut_simd_f32s(&mut tone.decay).0;
+    for (v, decay) in decays.iter_mut().enumerate() {
         let sum = s.mul_add_e_f32s(alpha1, omega[v], loss);
-        let sum = s.mul_add_e_f32s(sum, omega[v], s.add_f32s(even, outside[v]));
-        *decay = sum;
-        most = s.max_f32s(most, sum);
-        shifted = s.max_f32s(shifted, s.mul_f32s(s.mul_f32s(sum, sum), inverse[v]));
-        let (more, less) = (s.sub_f32s(sum, made_for[v]), s.sub_f32s(made_for[v], sum));
-        moved = s.max_f32s(moved, s.max_f32s(more, less));
-    }
-    Most {
-        decay: s.reduce_max_f32s(most),
-        shifted: s.reduce_max_f32s(shifted),
-        moved: s.reduce_max_f32s(moved),
+        *decay = s.mul_add_e_f32s(sum, omega[v], s.add_f32s(even, outside[v]));
+        all.see(s, *decay, inverse[v], made_for[v]);
     }
 }
 
