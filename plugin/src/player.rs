@@ -103,7 +103,10 @@ impl Player {
             let frames = (tail_s * self.rate_hz).ceil() as u64;
             self.tail_end = self.position + frames.max(LOOK);
         }
-        Some(u32::try_from(self.tail_end - self.position).unwrap_or(u32::MAX - 1))
+        // CLAP counts what is longer as without end.
+        let longest = i32::MAX.unsigned_abs() - 1;
+        let left = u32::try_from(self.tail_end - self.position);
+        Some(left.map_or(longest, |left| left.min(longest)))
     }
 
     /// Renders a block, cut where events fall; those beyond the block wait for the next.

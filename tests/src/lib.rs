@@ -1,5 +1,6 @@
 //! The plug-in as Cargo has just built it, for tests to load as a DAW does.
 
+pub mod chime;
 mod exponentials;
 mod noise;
 
@@ -49,6 +50,20 @@ pub fn plugin() -> Result<Plugin> {
 pub fn playing(rate_hz: f64) -> Result<Plugin> {
     let mut plugin = plugin()?;
     plugin.activate(rate_hz, 4096)?;
+    Ok(plugin)
+}
+
+/// An inactive instance with parameters set as a user writes them, such as `Output=-6 dB`.
+///
+/// # Errors
+///
+/// If the library does not load or there is no such setting.
+pub fn plugin_with(settings: &[&str]) -> Result<Plugin> {
+    let mut plugin = plugin()?;
+    for text in settings {
+        let setting = xtask::settings::setting(&mut plugin, text)?;
+        plugin.set(&[setting])?;
+    }
     Ok(plugin)
 }
 

@@ -245,3 +245,31 @@ fn a_silent_body_answers_its_neighbour() {
     assert!(off < tuned - 15.0, "{off}");
     assert!(joined(1.0005, 0.0) < -200.0);
 }
+
+/// Modes bent beyond half the sample rate are silent, whatever their decay would be, and are back with the
+/// hand.
+#[test]
+fn bodies_bent_beyond_hearing_are_silent_and_come_back() {
+    for bend_semitones in [60.0, 72.0, 96.0, 120.0] {
+        let mut engine = Engine::new(&chimes([60, 90]), RATE_HZ);
+        let bent = Hold {
+            bend_semitones,
+            ..Hold::FREE
+        };
+        for key in [60, 90] {
+            engine.hold(key, &bent);
+            engine.strike(key, 0.9);
+        }
+        let peak = |signal: &[f64]| signal.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        assert!(peak(&left(&mut engine, 9600)) < 1.0, "{bend_semitones}");
+        for key in [60, 90] {
+            engine.hold(key, &Hold::FREE);
+            engine.strike(key, 0.9);
+        }
+        let ringing = peak(&left(&mut engine, 9600));
+        assert!((1e-3..1.0).contains(&ringing), "{ringing}");
+        engine.choke_all();
+        left(&mut engine, 24_000);
+        assert_eq!(peak(&left(&mut engine, 480)), 0.0, "{bend_semitones}");
+    }
+}

@@ -3,6 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 mod guard;
+mod hands;
+mod modulation;
 mod parameters;
 mod partials;
 mod playing;
@@ -10,3 +12,4 @@ mod scan;
 mod silence;
 mod state;
 mod storm;
+mod tuning;

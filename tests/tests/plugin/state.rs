@@ -111,9 +111,7 @@ fn what_is_no_state_is_refused() {
 #[test]
 fn values_out_of_range_and_missing_ones_are_healed() {
     let (mut plugin, _) = changed();
-    let state = plugin.save().unwrap();
-    let text = &state[8..];
-    let json: serde_json::Value = serde_json::from_slice(text).unwrap();
+    let json = plugin.state().unwrap();
     let names: Vec<_> = json["params"]
         .as_object()
         .unwrap()
@@ -130,23 +128,15 @@ fn values_out_of_range_and_missing_ones_are_healed() {
             }
         }
         // Refused is as good as clamped.
-        let _ = plugin.load(&framed(&json));
+        let _ = plugin.load_state(&json);
         assert_sane(&mut plugin, &number.to_string());
     }
     let mut json = json.clone();
     json["params"] = serde_json::json!({});
-    plugin.load(&framed(&json)).unwrap();
+    plugin.load_state(&json).unwrap();
     for param in plugin.params() {
         let value = plugin.value(param.id).unwrap();
         let off = (value - param.default).abs() / (param.max - param.min);
         assert!(off < 1e-6, "{} is {value} without a word of it", param.name);
     }
-}
-
-/// nice-plug's frame about its JSON: the length in eight bytes, least first.
-fn framed(json: &serde_json::Value) -> Vec<u8> {
-    let text = json.to_string();
-    let mut bytes = (text.len() as u64).to_le_bytes().to_vec();
-    bytes.extend(text.as_bytes());
-    bytes
 }

@@ -10,7 +10,7 @@ const BLOCK: u64 = 512;
 /// No sample of the storm is greater.
 const BOUND: f32 = 8.0;
 
-fn random(noise: &mut Noise, params: &[Param]) -> Event {
+pub(super) fn random(noise: &mut Noise, params: &[Param]) -> Event {
     let odd = |noise: &mut Noise, value: f64| match noise.below(50) {
         0 => f64::NAN,
         1 => f64::INFINITY,

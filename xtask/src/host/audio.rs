@@ -3,6 +3,7 @@
 use super::handlers::Handlers;
 use super::{Plugin, TimedEvent};
 use anyhow::{Result, bail};
+use clack_extensions::tail::{PluginTail, TailLength};
 use clack_host::events::spaces::CoreEventSpace;
 use clack_host::prelude::*;
 
@@ -54,6 +55,16 @@ impl<'a> Audio<'a> {
     /// Has the plug-in fall silent and forget what it was told.
     pub fn reset(&mut self) {
         self.processor.reset();
+    }
+
+    /// Frames that the plug-in says it will go on for if nothing happens; `None` if without end.
+    pub fn tail(&mut self) -> Option<u32> {
+        let handle = self.processor.plugin_handle();
+        let tail: PluginTail = handle.get_extension()?;
+        match tail.get(&handle) {
+            TailLength::Finite(frames) => Some(frames),
+            TailLength::Infinite => None,
+        }
     }
 
     /// Plays one block as long as the channels are, with events at their frames within it, which a

@@ -2,10 +2,10 @@
 
 use super::ParamId;
 use clack_host::events::event_types::{
-    MidiEvent, NoteChokeEvent, NoteOffEvent, NoteOnEvent, ParamValueEvent, TransportEvent,
-    TransportFlags,
+    MidiEvent, NoteChokeEvent, NoteExpressionEvent, NoteExpressionType, NoteOffEvent, NoteOnEvent,
+    ParamModEvent, ParamValueEvent, TransportEvent, TransportFlags,
 };
-use clack_host::events::{EventFlags, EventHeader, UnknownEvent};
+use clack_host::events::{EventFlags, EventHeader, Match, UnknownEvent};
 use clack_host::prelude::{EventBuffer, Pckn};
 use clack_host::utils::{BeatTime, SecondsTime};
 use std::{ptr, slice};
@@ -48,6 +48,24 @@ pub enum Event {
         key: u8,
         /// In bytes.
         size: u32,
+    },
+    /// Something is said of one note.
+    Expression {
+        /// What.
+        kind: NoteExpressionType,
+        /// The note's identity.
+        note_id: u32,
+        /// In CLAP's unit of that kind.
+        value: f64,
+    },
+    /// A parameter is modulated for one note.
+    Modulation {
+        /// Which parameter.
+        id: ParamId,
+        /// The note's identity.
+        note_id: u32,
+        /// How far, on the plug-in's own scale.
+        amount: f64,
     },
     /// A raw MIDI message: controllers, pitch bend, pressure.
     Midi([u8; 3]),
@@ -118,17 +136,22 @@ impl Event {
             )),
             Self::Choke { channel, key } => buffer.push(&NoteChokeEvent::new(
                 time,
-                Pckn::new(
-                    0u16,
-                    u16::from(channel),
-                    u16::from(key),
-                    clack_host::events::Match::All,
-                ),
+                Pckn::new(0u16, u16::from(channel), u16::from(key), Match::All),
             )),
             Self::Misformed { key, size } => {
                 let event = NoteOnEvent::new(time, one(0, key, u32::from(key)), 1.0);
                 misform(event, size, buffer);
             }
+            Self::Expression {
+                kind,
+                note_id,
+                value,
+            } => buffer.push(&NoteExpressionEvent::new(time, of(note_id), kind, value)),
+            Self::Modulation {
+                id,
+                note_id,
+                amount,
+            } => buffer.push(&ParamModEvent::new(time, id.0, of(note_id), amount)),
             Self::Midi(bytes) => buffer.push(&MidiEvent::new(time, 0, bytes)),
             Self::Transport {
                 playing,
@@ -140,6 +163,11 @@ impl Event {
             }
         }
     }
+}
+
+/// The note of that identity, on whatever channel and key.
+fn of(note_id: u32) -> Pckn {
+    Pckn::new(Match::All, Match::All, Match::All, note_id)
 }
 
 fn misform(mut event: NoteOnEvent, size: u32, buffer: &mut EventBuffer) {

@@ -6,6 +6,7 @@ mod handlers;
 mod library;
 mod param;
 mod plugin;
+mod tuning;
 
 pub use audio::{Audio, Block, Take};
 pub use event::{Event, TimedEvent};
@@ -13,4 +14,5 @@ pub use library::{Descriptor, Library};
 pub use param::{Param, ParamId};
 pub use plugin::Plugin;
 
+pub use clack_host::events::event_types::NoteExpressionType;
 pub use clack_host::process::ProcessStatus;

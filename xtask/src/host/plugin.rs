@@ -5,8 +5,10 @@ use super::handlers::{Handlers, MainThread, Shared};
 use super::{Event, Library, Param, ParamId};
 use anyhow::{Context, Result, anyhow, bail};
 use clack_extensions::params::{ParamInfoBuffer, ParamInfoFlags, PluginParams};
+use clack_extensions::remote_controls::{PluginRemoteControls, RemoteControlsPageBuffer};
 use clack_extensions::render::{PluginRender, RenderMode};
 use clack_extensions::state::PluginState;
+use clack_extensions::voice_info::PluginVoiceInfo;
 use clack_host::prelude::*;
 use std::ffi::CString;
 
@@ -91,6 +93,30 @@ impl Plugin {
         let text = CString::new(text).ok()?;
         self.params?
             .text_to_value(&self.instance.plugin_handle(), id.0, &text)
+    }
+
+    /// Names of the pages of controls for remote surfaces, and the parameters on each.
+    pub fn pages(&mut self) -> Vec<(String, Vec<ParamId>)> {
+        let handle = self.instance.plugin_handle();
+        let Some(remote) = handle.get_extension::<PluginRemoteControls>() else {
+            return Vec::new();
+        };
+        (0..remote.count(&handle))
+            .filter_map(|index| {
+                let mut buffer = RemoteControlsPageBuffer::new();
+                let page = remote.get(&handle, index, &mut buffer)?;
+                let name = String::from_utf8_lossy(page.page_name).into_owned();
+                let ids = page.param_ids.into_iter().flatten().map(ParamId);
+                Some((name, ids.collect()))
+            })
+            .collect()
+    }
+
+    /// How many notes the plug-in can sound at once, if it says so.
+    pub fn voices(&mut self) -> Option<u32> {
+        let handle = self.instance.plugin_handle();
+        let voices: PluginVoiceInfo = handle.get_extension()?;
+        Some(voices.get(&handle)?.voice_capacity)
     }
 
     /// Sets parameters at once, without passing through the values between. Only while inactive.

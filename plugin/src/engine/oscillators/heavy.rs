@@ -3,6 +3,7 @@
 use super::GRID;
 use super::pack::{HOP, Heard, LANES, Pack};
 use super::tone::Tone;
+use std::f64::consts::PI;
 
 /// A number less 1: (a, b) is a + ib = e^z − 1.
 type Less = (f64, f64);
@@ -23,7 +24,7 @@ fn both(p: Less, q: Less) -> Less {
 }
 
 /// Writes all that `pack` needs of modes that decay as `tone` says, sampled every `step_s`; those with
-/// Ω < ω/10 are silenced.
+/// Ω < ω/10, and those above half the sample rate, for which the series do not hold, are silenced.
 ///
 /// exp((−d − i(ω−Ω))T) − 1 is a short series of an eighth of the exponent, doubled thrice.
 #[inline(always)]
@@ -31,7 +32,7 @@ pub(super) fn steps(tone: &Tone, step_s: f64, pack: &mut Pack) {
     for i in 0..LANES {
         let (omega, decay) = (f64::from(tone.played[i]), f64::from(tone.decay[i]));
         let square = (omega - decay) * (omega + decay);
-        if square <= 0.01 * omega * omega {
+        if square <= 0.01 * omega * omega || omega * step_s > PI {
             silence(pack, i);
             continue;
         }
