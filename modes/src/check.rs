@@ -10,6 +10,7 @@ mod decay;
 mod heard;
 mod mesh;
 mod recorded;
+mod retune;
 mod row;
 mod shells;
 mod special;
@@ -24,7 +25,7 @@ use crate::revolution::{LAYERS, Wall, bowl};
 use crate::shape::Tube;
 use crate::solve::SolveError;
 use crate::tube::Fineness;
-use crate::{Material, Recipe, RecipeError, ShapeRecipe, TABLE_1, TuneError};
+use crate::{BankError, Material, Recipe, RecipeError, ShapeRecipe, TABLE_1, TuneError};
 
 /// Why a comparison could not be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -44,6 +45,9 @@ pub enum CheckError {
     /// The factory recipe gave no bank.
     #[error(transparent)]
     Build(#[from] BuildError),
+    /// The factory's bank does not read.
+    #[error(transparent)]
+    Bank(#[from] BankError),
 }
 
 /// The chime of Tables 1 and 2 that the paper calls D3.

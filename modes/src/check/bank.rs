@@ -1,9 +1,12 @@
 //! The factory banks, built from nothing.
 
-use super::{CheckError, Row, cents, factory, greater};
+use super::{CheckError, Row, cents, factory, greater, retune};
 use crate::factory::{Silent, build};
 use crate::{Bank, Family, Member, Recipe, ShapeRecipe};
 use std::time::Instant;
+
+/// Longest time in s that opening a bank may take, from its file's content.
+const OPEN_S: f64 = 0.05;
 
 /// What all banks together may weigh, in MB.
 const MAX_MB: f64 = 30.0;
@@ -13,12 +16,15 @@ const BEATS_HZ: [f64; 2] = [0.3, 3.0];
 
 pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
     let (mut rows, mut seconds, mut bytes) = (Vec::new(), 0.0, 0);
+    let mut slowest_s = 0.0;
     for (name, _) in Recipe::FACTORY {
         let recipe = factory(name)?;
         let start = Instant::now();
         let bank = build(&recipe, &Silent)?;
         seconds += start.elapsed().as_secs_f64();
-        bytes += bank.write().len();
+        let file = bank.write();
+        bytes += file.len();
+        slowest_s = greater(slowest_s, retune::least_s(|| Ok(Bank::read(&file)?))?);
         rows.extend(quality(&recipe, &bank));
         if recipe.imperfection.is_some() {
             rows.extend(beats(&bank));
@@ -36,6 +42,13 @@ pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
         60.0,
         "two cores",
     ));
+    rows.push(Row::absolute(
+        "factory banks: time to open the slowest",
+        (0.0, slowest_s, "s"),
+        OPEN_S,
+        "a change of instrument",
+    ));
+    rows.extend(retune::rows()?);
     Ok(rows)
 }
 
