@@ -18,10 +18,13 @@ pub use tuning::{BarStock, BarTuneError, BarTuning};
 use crate::mesh::BarGrid;
 use crate::shape::Bar;
 
+/// Cells along half a bar at least: fewer do not follow its arch.
+const LEAST_ALONG: usize = 6;
+
 /// How finely a bar is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BarFineness {
-    /// Longest cell along the bar, in m.
+    /// Longest cell along the bar, in m; where that is too coarse for an arch, they are shorter.
     pub max_element_m: f64,
     /// Cells across half the width.
     pub across: usize,
@@ -36,7 +39,7 @@ impl BarFineness {
         #[expect(clippy::cast_sign_loss, reason = "lengths are positive")]
         let along = (0.5 * bar.length_m / self.max_element_m).ceil().max(1.0) as usize;
         BarGrid {
-            along,
+            along: along.max(LEAST_ALONG),
             across: self.across,
             through: self.through,
         }

@@ -53,7 +53,8 @@ pub enum BarTuneError {
     },
     /// The search stopped short of the tolerance.
     #[error(
-        "the bar's partials stay {:.3}, {:.3} and {:.3} cents off those of {pitch_hz:.2} Hz",
+        "the bar's partials stay {:.3}, {:.3} and {:.3} cents off those of {pitch_hz:.2} Hz; shorter elements \
+         or a wider tolerance may do",
         cents[0], cents[1], cents[2]
     )]
     NotTuned {

@@ -3,7 +3,7 @@
 use super::BuildError;
 use super::bowls::{Bowls, imperfection};
 use crate::bar::{
-    BarFineness, BarTuning, bar_modes, tune_bar, vibraphone_ratios, vibraphone_stock,
+    BarFineness, BarTuneError, BarTuning, bar_modes, tune_bar, vibraphone_ratios, vibraphone_stock,
 };
 use crate::revolution::{Bell, LAYERS, SolvedWall};
 use crate::shape::{Bar, Tube};
@@ -30,6 +30,9 @@ enum Shape<'a> {
 /// Cells across half a bar's width and through its thickness: with two, bending 3 of a bar is right
 /// to a cent where one leaves four.
 const BAR_CELLS: [usize; 2] = [3, 2];
+
+/// Halvings by which ratios within reach are looked for.
+const RATIO_STEPS: usize = 6;
 
 impl<'a> Maker<'a> {
     /// What cannot be tuned is said here, before the minutes that the rest may take.
@@ -148,15 +151,71 @@ impl<'a> Maker<'a> {
     }
 
     fn tuned_bar(&self, ratios: Option<[f64; 2]>, key: u8) -> Result<Bar, BuildError> {
+        self.bar_of(key, ratios.unwrap_or_else(|| vibraphone_ratios(key)))
+            .map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))
+    }
+
+    fn bar_of(&self, key: u8, ratios: [f64; 2]) -> Result<Bar, BarTuneError> {
         let tuning = BarTuning {
             pitch_hz: self.pitch_hz(key),
-            ratios: ratios.unwrap_or_else(|| vibraphone_ratios(key)),
+            ratios,
             tolerance_cents: self.recipe.tuning.tolerance_cents,
         };
         let (stock, material) = (vibraphone_stock(key), &self.recipe.material);
-        tune_bar(&stock, material, self.bar_fineness(1), &tuning)
-            .map(|tuned| tuned.bar)
-            .map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))
+        Ok(tune_bar(&stock, material, self.bar_fineness(1), &tuning)?.bar)
+    }
+
+    /// `error` with ratios that can be had, if it was those asked for that could not.
+    pub(super) fn with_ratios(&self, error: BuildError) -> BuildError {
+        let (
+            BuildError::Tune {
+                key,
+                error: TuneError::Bar(_),
+                ..
+            },
+            Shape::Bar(Some(asked)),
+        ) = (&error, &self.shape)
+        else {
+            return error;
+        };
+        let Some(within) = self.ratios_towards(*asked, *key) else {
+            return error;
+        };
+        let (pitch_hz, asked) = (self.pitch_hz(*key), *asked);
+        self.out_of_tune(
+            *key,
+            TuneError::Ratios {
+                pitch_hz,
+                asked,
+                within,
+            },
+        )
+    }
+
+    /// Of the ratios from a vibraphone's own to those `asked` for, the farthest that the bar of `key` was
+    /// found to have.
+    fn ratios_towards(&self, asked: [f64; 2], key: u8) -> Option<[f64; 2]> {
+        let own = vibraphone_ratios(key);
+        let at = |share: f64| {
+            [0, 1].map(|i| {
+                let ratio = own[i] + share * (asked[i] - own[i]);
+                (100.0 * ratio).round() / 100.0
+            })
+        };
+        let can_be_had = |share: f64| self.bar_of(key, at(share)).is_ok();
+        if !can_be_had(0.0) {
+            return None;
+        }
+        let (mut near, mut far) = (0.0, 1.0);
+        for _ in 0..RATIO_STEPS {
+            let share = 0.5 * (near + far);
+            if can_be_had(share) {
+                near = share;
+            } else {
+                far = share;
+            }
+        }
+        Some(at(near))
     }
 
     fn tube_modes(&self, bell: &Bell, key: u8, finer: usize) -> Result<SolvedWall, BuildError> {
@@ -202,9 +261,18 @@ pub(crate) fn halved(recipe: &Recipe, key: u8) -> Result<[SolvedBody; 2], BuildE
 /// What went wrong with `key`: of a solver that failed in the midst of tuning, that.
 fn out_of_tune(recipe: &Recipe, key: u8, error: TuneError) -> BuildError {
     let recipe = recipe.name.clone();
-    match error {
-        TuneError::Solve(error) => BuildError::Solve { recipe, key, error },
-        error => BuildError::Tune { recipe, key, error },
+    let field = match error {
+        TuneError::Solve(error) => return BuildError::Solve { recipe, key, error },
+        TuneError::Profile(_) => "body",
+        TuneError::Beat { .. } => "imperfection.beat_hz",
+        TuneError::Ratios { .. } => "body.second_ratio, body.third_ratio",
+        _ => "keys",
+    };
+    BuildError::Tune {
+        recipe,
+        field,
+        key,
+        error,
     }
 }
 

@@ -12,10 +12,12 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BuildError {
     /// A key's body cannot be tuned.
-    #[error("{recipe}: keys: key {key}: {error}")]
+    #[error("{recipe}: {field}: key {key}: {error}")]
     Tune {
         /// Name of the recipe.
         recipe: String,
+        /// What of it is to be changed.
+        field: &'static str,
         /// The key.
         key: u8,
         /// Why not.
@@ -80,7 +82,8 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
             Ok(finished)
         })
         .collect();
-    let finished = finished.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let finished = finished.into_iter().collect::<Result<Vec<_>, _>>();
+    let finished = finished.map_err(|error| maker.with_ratios(error))?;
     let greatest = |of: fn(&Finished) -> f64| finished.iter().map(of).fold(0.0, f64::max);
     Ok(Bank {
         name: recipe.name.clone(),
@@ -148,11 +151,43 @@ mod tests {
 
     #[test]
     fn a_pitch_out_of_reach_names_the_key() {
-        let recipe = recipe(|text| text.replace("outer_radius_m = 0.0125", "outer_radius_m = 0.5"));
+        let recipe = recipe(|text| {
+            text.replace("outer_radius_m = 0.0125", "outer_radius_m = 0.5")
+                .replace("wall_m = 0.001", "wall_m = 0.005")
+        });
         let error = build(&recipe, &Silent).err().unwrap().to_string();
         assert!(
             error.starts_with("chimes: keys: key 84: ") && error.contains("they reach"),
             "{error}"
+        );
+    }
+
+    /// The vibraphone with one key and the ratios that `[second, third]` say.
+    fn one_bar([second, third]: [&str; 2]) -> Recipe {
+        let ratios = format!("shape = \"bar\"\nsecond_ratio = {second}\nthird_ratio = {third}");
+        let text = Recipe::FACTORY[1].1.replace("shape = \"bar\"", &ratios);
+        let text = text
+            .replace("low = 36", "low = 80")
+            .replace("high = 96", "high = 80");
+        Recipe::parse(&text, "test.toml").unwrap()
+    }
+
+    #[test]
+    fn ratios_out_of_reach_are_told_with_others_that_are_not() {
+        let error = build(&one_bar(["2.5", "14.0"]), &Silent)
+            .err()
+            .unwrap()
+            .to_string();
+        let told = "vibraphone: body.second_ratio, body.third_ratio: key 80: no bar has partials \
+                    1 : 2.5 : 14 at 830.61 Hz; ";
+        let others = error
+            .strip_prefix(told)
+            .unwrap_or_else(|| panic!("{error}"));
+        let others = others.strip_suffix(" can be had").unwrap();
+        let (second, third) = others.split_once(" and ").unwrap();
+        assert!(
+            build(&one_bar([second, third]), &Silent).is_ok(),
+            "{others}"
         );
     }
 

@@ -4,7 +4,9 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SolveError {
     /// A mesh element has no volume or is inside out.
-    #[error("element {index} is flat or inside out; check the shape's dimensions")]
+    #[error(
+        "element {index} is flat or inside out; thinner walls, wider bends or shorter elements are sound"
+    )]
     BadElement {
         /// Number of the element.
         index: usize,
@@ -29,7 +31,8 @@ pub enum SolveError {
     },
     /// A mode came out that does not solve its equation well enough.
     #[error(
-        "the mode at {hz:.1} Hz leaves a relative residual of {residual:.1e}; allowed is {allowed:.0e}"
+        "the mode at {hz:.1} Hz leaves a relative residual of {residual:.1e}, and {allowed:.0e} is allowed; \
+         {good} modes are good, all below it: rounding leaves more of thicker walls and shorter bodies"
     )]
     Inaccurate {
         /// The mode's frequency, in Hz.
@@ -38,9 +41,14 @@ pub enum SolveError {
         residual: f64,
         /// The largest residual allowed.
         allowed: f64,
+        /// Modes below it: none is missing, and all are good enough.
+        good: usize,
     },
     /// The body is held where it should be free, or falls apart.
-    #[error("{found} rigid motions where a body of this kind has {expected}")]
+    #[error(
+        "{found} rigid motions where a body of this kind has {expected}: it is held, falls apart, or is so \
+         thin and long that its lowest modes drown in rounding"
+    )]
     RigidMotions {
         /// Near-zero eigenvalues found.
         found: usize,

@@ -83,8 +83,11 @@ pub(super) fn verify(
             }
         }
     }
-    if let Some(mode) = modes.iter().find(|mode| mode.residual > MAX_RESIDUAL) {
+    let good = |mode: &Eigenmode| mode.residual <= MAX_RESIDUAL;
+    if let Some(index) = modes.iter().position(|mode| !good(mode)) {
+        let mode = &modes[index];
         return Err(SolveError::Inaccurate {
+            good: index,
             hz: mode.hz,
             residual: mode.residual,
             allowed: MAX_RESIDUAL,
@@ -118,4 +121,41 @@ fn residuals(forces: &[f64], inertias: &[f64], values: &[f64]) -> [f64; WIDTH] {
         }
     }
     sums.map(|(error, force): (f64, f64)| (error / force).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::dense;
+    use super::*;
+    use crate::TABLE_1;
+    use crate::fem::{TetMass, assemble};
+    use crate::mesh::{TubeGrid, tube_tet4};
+    use crate::shape::Tube;
+
+    #[test]
+    fn a_mode_that_is_none_is_told_with_the_good_ones_below_it() {
+        const GOOD: usize = 3;
+        let grid = TubeGrid {
+            around: 6,
+            along: 1,
+        };
+        let mesh = tube_tet4(&Tube::D5, grid, 1);
+        let pencil = assemble(&mesh, &TABLE_1[0].material, TetMass::Consistent).unwrap();
+        let n = pencil.unknowns();
+        let (mut values, mut vectors) = dense::generalised(&pencil).unwrap();
+        values.truncate(pencil.rigid + GOOD + 2);
+        vectors.truncate(values.len() * n);
+        vectors[(pencil.rigid + GOOD) * n] *= 1.01;
+        let found = Found {
+            panels: panel::from_columns(&vectors, n),
+            values: values.clone(),
+            solver: Solver::Dense,
+        };
+        let error = verify(&pencil, Band::AUDIBLE, found, &|left| left.fill(0.0)).unwrap_err();
+        let SolveError::Inaccurate { hz, good, .. } = error else {
+            panic!("{error}");
+        };
+        assert_eq!(good, GOOD);
+        assert_eq!(hz, values[pencil.rigid + GOOD].sqrt() / TAU);
+    }
 }

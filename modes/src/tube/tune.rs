@@ -39,7 +39,10 @@ pub enum TuneError {
         longest_m: f64,
     },
     /// The search stopped short of the tolerance.
-    #[error("the tube's pitch stays {cents:.3} cents off {pitch_hz:.2} Hz")]
+    #[error(
+        "the tube's pitch stays {cents:.3} cents off {pitch_hz:.2} Hz; a thicker wall, shorter elements or a \
+         wider tolerance may do"
+    )]
     NotTuned {
         /// The pitch asked for, in Hz.
         pitch_hz: f64,
@@ -48,7 +51,7 @@ pub enum TuneError {
     },
     /// No small imperfection makes the lowest pair beat so fast.
     #[error(
-        "imperfection.beat_hz is {beat_hz}: what leaves the shape of the modes as it is makes the \
+        "no {beat_hz} Hz: what leaves the shape of the modes as it is makes the \
          lowest pair beat at up to {greatest_hz:.2} Hz"
     )]
     Beat {
@@ -60,8 +63,21 @@ pub enum TuneError {
     /// A bar has not the partials.
     #[error(transparent)]
     Bar(#[from] crate::bar::BarTuneError),
-    /// The profile is none.
-    #[error(transparent)]
+    /// A bar has not the partials that were asked for, but others.
+    #[error(
+        "no bar has partials 1 : {} : {} at {pitch_hz:.2} Hz; {} and {} can be had", asked[0], asked[1],
+        within[0], within[1]
+    )]
+    Ratios {
+        /// The pitch asked for, in Hz.
+        pitch_hz: f64,
+        /// The second and third partial asked for, as multiples of the first.
+        asked: [f64; 2],
+        /// The farthest towards them from a vibraphone's own that a bar was found to have.
+        within: [f64; 2],
+    },
+    /// The profile is none at the size that a pitch asks for.
+    #[error("as large as its pitch asks for, the bowl's {0}")]
     Profile(#[from] crate::shape::ProfileError),
     /// The eigenproblem was not solved.
     #[error(transparent)]
