@@ -2,6 +2,7 @@
 
 mod check;
 mod error;
+mod material;
 mod raw;
 mod together;
 

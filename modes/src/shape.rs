@@ -2,8 +2,10 @@
 
 mod bar;
 mod bowl;
+mod profile;
 mod tube;
 
 pub use bar::{Bar, Undercut};
-pub use bowl::{Bowl, ProfileError};
+pub use bowl::Bowl;
+pub use profile::ProfileError;
 pub use tube::Tube;

@@ -1,9 +1,10 @@
 //! The ranges of a recipe's fields.
 
 use super::error::Fault;
+use super::material::check_material;
 use super::raw::{
-    Raw, RawBody, RawDamping, RawImperfection, RawKeys, RawListener, RawMaterial, RawMesh,
-    RawResonator, RawTuning,
+    Raw, RawBody, RawDamping, RawImperfection, RawKeys, RawListener, RawMesh, RawResonator,
+    RawTuning,
 };
 use super::together::check_together;
 use super::{
@@ -11,7 +12,7 @@ use super::{
     ResonatorRecipe, ShapeRecipe, TuningRecipe,
 };
 use crate::shape::Bowl;
-use crate::{Damping, Material, MaterialError, NamedMaterial, Rayleigh};
+use crate::{Damping, Rayleigh};
 use std::ops::RangeInclusive;
 
 impl Raw {
@@ -198,6 +199,10 @@ fn given(field: &'static str, x: Option<f64>) -> Result<f64, Fault> {
     x.ok_or_else(|| Fault::field(field, "left out", "given"))
 }
 
+/// Radii of a tube in thicknesses of its wall: a thinner one bends so much more easily than it stretches
+/// that rounding decides.
+const THINNEST: f64 = 100.0;
+
 fn check_tube(body: &RawBody) -> Result<ShapeRecipe, Fault> {
     let outer_radius_m = given("body.outer_radius_m", body.outer_radius_m)?;
     if !(outer_radius_m > 0.0 && outer_radius_m <= 1.0) {
@@ -205,8 +210,10 @@ fn check_tube(body: &RawBody) -> Result<ShapeRecipe, Fault> {
         return Err(Fault::field("body.outer_radius_m", outer_radius_m, allowed));
     }
     let wall_m = given("body.wall_m", body.wall_m)?;
-    if !(wall_m > 0.0 && wall_m < outer_radius_m) {
-        let allowed = format!("above 0 and below body.outer_radius_m = {outer_radius_m}");
+    let thinnest_m = outer_radius_m / THINNEST;
+    if !(wall_m >= thinnest_m && wall_m < outer_radius_m) {
+        let allowed =
+            format!("at least {thinnest_m} and below body.outer_radius_m = {outer_radius_m}");
         return Err(Fault::field("body.wall_m", wall_m, allowed));
     }
     Ok(ShapeRecipe::Tube {
@@ -256,78 +263,16 @@ fn check_bowl(fields: &[(&'static str, Option<f64>); 6]) -> Result<ShapeRecipe, 
         rim_radius_m,
         base_radius_m,
         height_m,
-        squareness: within("body.squareness", squareness, 1.0..=10.0)?,
+        squareness,
         base_wall_m,
         rim_wall_m,
     };
     bowl.check().map_err(|error| {
-        Fault::field(
-            "body",
-            error.to_string(),
-            "a wall that does not run into itself",
-        )
+        let own = |&&(field, _): &&(&'static str, _)| field.ends_with(error.field);
+        let field = fields.iter().find(own).map_or("body", |(field, _)| field);
+        Fault::field(field, error.value, error.allowed)
     })?;
     Ok(ShapeRecipe::Bowl(bowl))
-}
-
-/// The material, and the damping that belongs to its name.
-fn check_material(raw: &RawMaterial) -> Result<(Material, Option<Rayleigh>), Fault> {
-    match *raw {
-        RawMaterial {
-            name: Some(ref name),
-            lambda_pa: None,
-            mu_pa: None,
-            young_pa: None,
-            poisson: None,
-            density_kg_m3: None,
-        } => {
-            let found = NamedMaterial::find(name).map_err(|unknown| {
-                let allowed = format!("a known one ({unknown})");
-                Fault::field("material.name", format!("{name:?}"), allowed)
-            })?;
-            Ok((found.material, Some(found.damping)))
-        }
-        RawMaterial {
-            name: None,
-            lambda_pa: Some(lambda),
-            mu_pa: Some(mu),
-            young_pa: None,
-            poisson: None,
-            density_kg_m3: Some(density),
-        } => material(Material::from_lame(lambda, mu, density)),
-        RawMaterial {
-            name: None,
-            lambda_pa: None,
-            mu_pa: None,
-            young_pa: Some(young),
-            poisson: Some(poisson),
-            density_kg_m3: Some(density),
-        } => material(Material::from_young(young, poisson, density)),
-        _ => Err(Fault::field(
-            "material",
-            "not told in one way",
-            "name alone; or lambda_pa, mu_pa and density_kg_m3; or young_pa, poisson and \
-             density_kg_m3",
-        )),
-    }
-}
-
-fn material(
-    result: Result<Material, MaterialError>,
-) -> Result<(Material, Option<Rayleigh>), Fault> {
-    let (field, value, allowed) = match result {
-        Ok(material) => return Ok((material, None)),
-        Err(MaterialError::Young(e)) => ("material.young_pa", e, "finite and above 0"),
-        Err(MaterialError::Poisson(nu)) => ("material.poisson", nu, "above -1 and below 0.5"),
-        Err(MaterialError::Shear(mu)) => ("material.mu_pa", mu, "finite and above 0"),
-        Err(MaterialError::Lambda(lambda)) => (
-            "material.lambda_pa",
-            lambda,
-            "finite and above -2/3 of material.mu_pa",
-        ),
-        Err(MaterialError::Density(rho)) => ("material.density_kg_m3", rho, "finite and above 0"),
-    };
-    Err(Fault::field(field, value, allowed))
 }
 
 fn check_damping(damping: &RawDamping) -> Result<Damping, Fault> {

@@ -175,17 +175,17 @@ const FIELDS: &[(&str, &str, &str)] = &[
     (
         "wall_m = 0.001",
         "wall_m = -0.001",
-        "body.wall_m is -0.001, but must be above 0 and below body.outer_radius_m = 0.0125",
+        "body.wall_m is -0.001, but must be at least 0.000125 and below body.outer_radius_m = 0.0125",
     ),
     (
         "wall_m = 0.001",
         "wall_m = 0.0125",
-        "body.wall_m is 0.0125, but must be above 0 and below body.outer_radius_m = 0.0125",
+        "body.wall_m is 0.0125, but must be at least 0.000125 and below body.outer_radius_m = 0.0125",
     ),
     (
         "wall_m = 0.001",
         "wall_m = nan",
-        "body.wall_m is NaN, but must be above 0 and below body.outer_radius_m = 0.0125",
+        "body.wall_m is NaN, but must be at least 0.000125 and below body.outer_radius_m = 0.0125",
     ),
     (
         "alpha1_s = 1e-7",
@@ -235,7 +235,11 @@ fn impossible_materials_are_told_with_field_value_and_range() {
         ),
         (
             "young_pa = 1e9\npoisson = 0.5",
-            "poisson is 0.5, but must be above -1 and below 0.5",
+            "poisson is 0.5, but must be -0.5 to 0.49",
+        ),
+        (
+            "young_pa = 1e9\npoisson = 0.4999",
+            "poisson is 0.4999, but must be -0.5 to 0.49",
         ),
         (
             "lambda_pa = 1e9\nmu_pa = nan",
@@ -243,7 +247,7 @@ fn impossible_materials_are_told_with_field_value_and_range() {
         ),
         (
             "lambda_pa = inf\nmu_pa = 1e9",
-            "lambda_pa is inf, but must be finite and above -2/3 of material.mu_pa",
+            "lambda_pa is inf, but must be -0.5 to 49 times material.mu_pa",
         ),
     ] {
         let to = format!("{numbers}\ndensity_kg_m3 = 2700");
@@ -300,6 +304,39 @@ fn faults_of_the_text_have_line_and_column() {
             .to_string()
             .starts_with("my.toml:1:1: missing field")
     );
+}
+
+#[test]
+fn bowls_that_are_none_are_told_with_field_value_and_range() {
+    let bowls = Recipe::FACTORY[3].1;
+    for (from, to, expected) in [
+        (
+            "squareness = 2.0",
+            "squareness = 1.0",
+            "body.squareness is 1, but must be 2 to 10",
+        ),
+        (
+            "base_radius_m = 0.045",
+            "base_radius_m = 0.1",
+            "body.base_radius_m is 0.1, but must be above 0 and below 0.09",
+        ),
+        (
+            "rim_wall_m = 0.004",
+            "rim_wall_m = 0.0",
+            "body.rim_wall_m is 0, but must be above 0.00045 and below 0.03",
+        ),
+        (
+            "base_radius_m = 0.045",
+            "base_radius_m = 0.088",
+            "body.base_wall_m is 0.0015, but must be less: the wall runs into itself",
+        ),
+    ] {
+        let text = bowls.replace(from, to);
+        assert_ne!(text, bowls);
+        let message = Recipe::parse(&text, "my.toml").unwrap_err().to_string();
+        let expected = format!("my.toml: {expected}");
+        assert!(message.starts_with(&expected), "{message}");
+    }
 }
 
 #[test]

@@ -112,3 +112,47 @@ impl<'a> Arc<'a> {
         [-dz / length, dr / length]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TABLE_1;
+    use crate::fem::Harmonic;
+    use crate::revolution::LAYERS;
+
+    /// What the check lets pass can be cut into cells, fine ones and coarse.
+    #[test]
+    fn every_profile_that_passes_has_a_sound_mesh() {
+        const WALLS: [f64; 5] = [0.0051, 0.01, 0.1, 0.2, 0.4];
+        let (mut passed, mut refused) = (0, 0);
+        for squareness in [2.0, 4.0, 10.0] {
+            for base_radius_m in [0.01, 0.3, 0.6, 0.9, 0.99] {
+                for height_m in [0.1, 0.3, 1.0, 3.0] {
+                    for (base_wall_m, rim_wall_m) in
+                        WALLS.iter().flat_map(|&b| WALLS.map(|r| (b, r)))
+                    {
+                        let shape = Bowl {
+                            rim_radius_m: 1.0,
+                            base_radius_m,
+                            height_m,
+                            squareness,
+                            base_wall_m,
+                            rim_wall_m,
+                        };
+                        if shape.check().is_err() {
+                            refused += 1;
+                            continue;
+                        }
+                        passed += 1;
+                        for longest_m in [0.2, 1.0] {
+                            let wall = bowl(&shape, longest_m, LAYERS).unwrap();
+                            let solid = Harmonic::new(&wall.meridian, &TABLE_1[0].material, 2);
+                            assert!(solid.is_ok(), "{shape:?}, cells of {longest_m} m");
+                        }
+                    }
+                }
+            }
+        }
+        assert!(passed > 0 && refused > 0);
+    }
+}
