@@ -8,6 +8,8 @@ own. A peer that is not installed is named and left out:
 
   eigsh+CHOLMOD  pip install scipy scikit-sparse==0.4.16    (Debian: libsuitesparse-dev)
   SLEPc          apt install python3-slepc4py-real python3-scipy    (Debian's own Python)
+  both           apt install libopenblas0    (with the reference BLAS that Debian installs by itself
+                 they are slower; which one served is told below the table)
 
 A peer starts from matrices in memory and factors K - sigma M, sigma = -(2 pi 200 Hz)^2, once, by
 sparse Cholesky; its eigenvalues are converged to 1e-9. Rigid motions are asked for and left out.
@@ -106,6 +108,17 @@ def slepc(stiffness, mass, wanted):
     return values, vectors
 
 
+def blas():
+    """The libraries in this process that are a BLAS, where the system tells them."""
+    try:
+        with open("/proc/self/maps") as maps:
+            files = {os.path.basename(line.split()[-1]) for line in maps if ".so" in line}
+    except OSError:
+        return "a BLAS that this system does not tell"
+    kinds = ("libblas", "libopenblas", "libmkl", "libblis")
+    return ", ".join(sorted(file for file in files if file.startswith(kinds)))
+
+
 PEERS = {"eigsh+CHOLMOD": cholmod, "SLEPc": slepc}
 
 
@@ -130,6 +143,7 @@ def peer(name, folder, modes, repeat):
         "cpu_s": least,
         "first_hz": hz[0],
         "last_hz": hz[-1],
+        "blas": blas(),
         "worst_residual": float((errors / numpy.linalg.norm(forces, axis=0)).max()),
     }
     print(json.dumps(report))
@@ -181,6 +195,8 @@ def compare(element, repeat, release, folder):
             f"| {row['worst_residual']:.1e} | {row['cpu_s']:.2f} "
             f"| {row['cpu_s'] / own['cpu_s']:.2f} |"
         )
+    for name, row in rows[1:]:
+        print(f"{name} on {row['blas']}")
 
 
 def main():
