@@ -13,6 +13,9 @@ use super::oscillators::LANES;
 const BOUNCES_S: f64 = 0.02;
 const PRESSED_S: f64 = 0.25;
 
+/// How much faster than now head and surface may close in before the next sample, in m/s.
+const SWERVES_M_S: f64 = 10.0;
+
 /// One mallet on one body.
 ///
 /// The body moves as its modes do, and as a whole. The mallet's speed and the body's change by what
@@ -147,7 +150,7 @@ impl Contact {
     /// Whether head and surface touch, or may within the next sample.
     #[inline(always)]
     pub(crate) fn is_near(&self, sample_s: f64) -> bool {
-        self.depth_m > -4.0 * self.closing_m_s.abs() * sample_s - 1e-7
+        self.depth_m > -(4.0 * self.closing_m_s.abs() + SWERVES_M_S) * sample_s
     }
 
     /// Mean force about the instant of a sample that has just gone by, in N: half of the sample
