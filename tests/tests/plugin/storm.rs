@@ -5,7 +5,7 @@ use idiophone_tests::{Noise, peak, playing};
 use xtask::host::{Event, NoteExpressionType, Param};
 
 /// Events in all.
-const EVENTS: usize = 100_000;
+const EVENTS: usize = 30_000;
 /// Frames a second.
 const RATE: usize = 48_000;
 /// What five instruments make together at most, with the limiter off.
