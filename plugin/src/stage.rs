@@ -1,6 +1,6 @@
 //! The instrument that is struck, and those before it that still ring.
 
-use crate::engine::{Engine, GRID, Hit, Hold, Settings};
+use crate::engine::{Engine, GRID, Hit, Hold, Limiter, Settings};
 use crate::factory;
 use crate::workshop::Bench;
 
@@ -26,6 +26,9 @@ pub(crate) struct Stage {
     wanted: usize,
     ringing: [Option<Act>; RINGING],
     settings: Settings,
+    /// After the sum of all; instruments have none of their own.
+    limiter: Limiter,
+    limits: bool,
     /// What hands do to each body, of whatever instrument.
     holds: [Hold; 128],
 }
@@ -40,6 +43,8 @@ impl Stage {
             wanted: index,
             ringing: [const { None }; RINGING],
             settings: Settings::default(),
+            limiter: Limiter::new(1.0 / rate_hz),
+            limits: true,
             holds: [Hold::FREE; 128],
         }
     }
@@ -134,8 +139,13 @@ impl Stage {
 
     /// New targets for all.
     pub(crate) fn set(&mut self, settings: &Settings) {
-        self.settings = *settings;
-        self.each(|engine| engine.set(settings));
+        self.limits = settings.limiter;
+        let settings = Settings {
+            limiter: false,
+            ..*settings
+        };
+        self.settings = settings;
+        self.each(|engine| engine.set(&settings));
     }
 
     /// The keys for which the present instrument has bodies, as bits.
@@ -164,6 +174,7 @@ impl Stage {
     /// Silence, at once.
     pub(crate) fn reset(&mut self) {
         self.holds = [Hold::FREE; 128];
+        self.limiter.reset();
         for act in self.acts() {
             act.engine.reset();
             act.struck = 0;
@@ -197,6 +208,12 @@ impl Stage {
                     .process(&mut a[..left.len()], &mut b[..right.len()]);
                 add(left, a);
                 add(right, b);
+            }
+        }
+        if self.limits {
+            for (left, right) in left.iter_mut().zip(right) {
+                let limited = self.limiter.limit([*left, *right].map(f64::from));
+                [*left, *right] = limited.map(|sample| sample as f32);
             }
         }
     }
@@ -263,6 +280,33 @@ mod tests {
         stage.turn(1, &bench);
         assert!(stage.ringing.iter().all(Option::is_none));
         assert!(bench.work(), "taken apart");
+    }
+
+    #[test]
+    fn all_instruments_together_stay_below_full_scale() {
+        let bench = Bench::new(48_000.0);
+        let loud = |limiter| {
+            let mut stage = Stage::new(0, 48_000.0);
+            stage.set(&Settings {
+                gain_db: 12.0,
+                limiter,
+                ..Settings::default()
+            });
+            let mut most = 0.0;
+            for wanted in [1, 0] {
+                for key in 60..72 {
+                    stage.hit(key, &Hit::plain(1.0));
+                }
+                stage.turn(wanted, &bench);
+                bench.work();
+                stage.turn(wanted, &bench);
+                let sound = render(&mut stage, 4800);
+                most = sound.iter().fold(most, |most: f32, x| most.max(x.abs()));
+            }
+            most
+        };
+        assert!(loud(false) > 1.0, "{}", loud(false));
+        assert!(loud(true) <= 1.0, "{}", loud(true));
     }
 
     #[test]

@@ -158,7 +158,12 @@ fn place(key: u8, hz: f64, bodies: u128) -> Option<Place> {
 }
 
 #[cfg(test)]
+#[path = "../tests/mts/fake.rs"]
+mod fake;
+
+#[cfg(test)]
 mod tests {
+    use super::fake::{Fake, build};
     use super::*;
     use modes::tuning::{KeyboardMap, Scale};
 
@@ -236,5 +241,34 @@ mod tests {
         assert!((tuner.place(95).unwrap().semitones - 13.0).abs() < 1e-9);
         tuner.reset();
         assert_eq!(tuner.owner(82), None);
+    }
+
+    #[test]
+    fn a_master_goes_before_the_table_and_what_rings_follows_it() {
+        let Some(library) = build("tuner", &[]) else {
+            return;
+        };
+        let master = Fake::of(&library);
+        master.name(None);
+        let mut tuner = Tuner::new(Tuning::default(), MtsClient::open(&library).ok());
+        assert!(tuner.may_change() && master.clients() == 1);
+        assert_eq!(tuner.strike(60, 0, CHIMES), Some(60));
+        assert_eq!(tuner.follow(), 0, "no master");
+        for key in 0..128 {
+            // A quarter tone up.
+            let hz = equal_temperament_hz(key, A4_HZ) * (1.0f64 / 24.0).exp2();
+            master.tune(key, hz);
+        }
+        master.master(true);
+        assert_eq!(tuner.follow(), 1 << 60);
+        assert_eq!(tuner.follow(), 0, "it keeps still");
+        assert!((tuner.place(60).unwrap().semitones - 0.5).abs() < 1e-12);
+        assert_eq!(tuner.strike(61, 0, CHIMES), None, "silenced by the master");
+        assert_eq!(tuner.strike(64, 0, CHIMES), Some(64));
+        master.master(false);
+        assert_eq!(tuner.follow(), 1 << 60 | 1 << 64);
+        assert_eq!(tuner.place(64).map(|place| place.semitones), Some(0.0));
+        drop(tuner);
+        assert_eq!(master.clients(), 0);
     }
 }

@@ -160,4 +160,15 @@ fn tuning_names_the_file_and_the_line() {
         &["bad.kbm: line 3: \"128\"", "from 0 to 127"],
     );
     assert_says(&["tuning", "missing.scl"], &["missing.scl: cannot read"]);
+    let out = dir.path().join("out.wav");
+    let (song, path) = (song(), out.to_str().unwrap());
+    assert_says(
+        &["render", &song, path, "--scale", &bad],
+        &["bad.scl: line 5", "not be 0"],
+    );
+    assert_says(
+        &["render", &song, path, "--scale", &scl, "--keyboard", &kbm],
+        &["bad.kbm: line 3", "from 0 to 127"],
+    );
+    assert!(!out.exists());
 }

@@ -5,13 +5,13 @@ const RELEASE_S: f64 = 0.1;
 
 /// A limiter that does nothing, to the bit, while nothing goes over full scale.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Limiter {
+pub(crate) struct Limiter {
     gain: f64,
     release: f64,
 }
 
 impl Limiter {
-    pub(super) fn new(step_s: f64) -> Self {
+    pub(crate) fn new(step_s: f64) -> Self {
         Self {
             gain: 1.0,
             release: 1.0 - (-step_s / RELEASE_S).exp(),
@@ -19,13 +19,13 @@ impl Limiter {
     }
 
     /// At rest.
-    pub(super) fn reset(&mut self) {
+    pub(crate) fn reset(&mut self) {
         self.gain = 1.0;
     }
 
     /// A sample of both ears, held to −1…1: turned down at once, together, and let go slowly.
     #[inline(always)]
-    pub(super) fn limit(&mut self, sample: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn limit(&mut self, sample: [f64; 2]) -> [f64; 2] {
         let peak = sample[0].abs().max(sample[1].abs());
         if self.gain == 1.0 && peak <= 1.0 {
             return sample;

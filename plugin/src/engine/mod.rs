@@ -31,6 +31,7 @@ mod tweak;
 pub use bow::Bow;
 pub use hold::{Hit, Hold};
 pub use instrument::{Engine, OUTPUT_BOUND};
+pub(crate) use limiter::Limiter;
 pub use listener::Listener;
 pub use losses::Losses;
 pub use mallet::Mallet;

@@ -8,7 +8,9 @@ use std::process::Command;
 
 /// Builds a library of its own for the test `name`; `None`, said out loud, without a C compiler.
 pub(crate) fn build(name: &str, flags: &[&str]) -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mts");
+    // Cargo has a folder for integration tests only.
+    let own = option_env!("CARGO_TARGET_TMPDIR").map(PathBuf::from);
+    let folder = own.unwrap_or_else(std::env::temp_dir).join("idiophone-mts");
     std::fs::create_dir_all(&folder).unwrap();
     let library = folder.join(libloading::library_filename(name));
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mts/fake.c");

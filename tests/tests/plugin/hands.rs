@@ -42,7 +42,7 @@ fn assert_heard(what: &str, sound: &[f32], expected: &[Partial]) -> Off {
 }
 
 fn contact() -> usize {
-    (CONTACT_S * RATE_HZ) as usize
+    xtask::midi::frame(CONTACT_S, RATE_HZ) as usize
 }
 
 /// The note is bent by `semitones` when `events` come before it, and when they come while it rings.

@@ -9,6 +9,7 @@ mod parameters;
 mod partials;
 mod playing;
 mod scan;
+mod session;
 mod silence;
 mod state;
 mod storm;

@@ -1,7 +1,7 @@
 //! Notes in, sound out.
 
 use idiophone_tests::{peak, playing, plugin, release, strike};
-use xtask::host::{Event, Plugin, ProcessStatus, Take, TimedEvent};
+use xtask::host::{Event, NoteExpressionType, Plugin, ProcessStatus, Take, TimedEvent};
 use xtask::settings;
 
 /// Sets parameters of an inactive instance by name.
@@ -62,7 +62,7 @@ fn a_note_that_has_died_away_ends_and_leaves_silence() {
     ));
 }
 
-/// A short piece that moves every parameter while it rings.
+/// A short piece that moves every parameter and every controller while it rings.
 fn piece(plugin: &mut Plugin) -> Vec<TimedEvent> {
     let mut events = vec![
         strike(50, 1.0).at(0),
@@ -74,6 +74,7 @@ fn piece(plugin: &mut Plugin) -> Vec<TimedEvent> {
         release(50).at(7000),
         strike(93, 0.5).at(7000),
     ];
+    events.extend(hands(plugin));
     for (number, param) in plugin
         .params()
         .iter()
@@ -91,6 +92,52 @@ fn piece(plugin: &mut Plugin) -> Vec<TimedEvent> {
     events
 }
 
+/// Pedals, pressure, MPE, note expressions and modulation, some of them at the sample of a strike.
+fn hands(plugin: &mut Plugin) -> Vec<TimedEvent> {
+    let params = plugin.params();
+    let position = settings::find(&params, "Strike position").unwrap().id;
+    let damping = settings::find(&params, "Alpha 2").unwrap().id;
+    let said = |kind, note_id, value| Event::Expression {
+        kind,
+        note_id,
+        value,
+    };
+    let modulated = |id, note_id, amount| Event::Modulation {
+        id,
+        note_id,
+        amount,
+    };
+    let midi = |bytes| Event::Midi(bytes);
+    vec![
+        said(NoteExpressionType::Tuning, 74, 0.4).at(3),
+        modulated(position, 74, 0.3).at(3),
+        said(NoteExpressionType::Brightness, 81, 0.9).at(64),
+        modulated(damping, 74, 0.4).at(700),
+        said(NoteExpressionType::Volume, 50, 0.7).at(777),
+        said(NoteExpressionType::Pan, 50, 0.1).at(1500),
+        midi([0xD0, 60, 0]).at(2000),
+        midi([0xA0, 81, 90]).at(2222),
+        midi([0xB0, 101, 0]).at(2500),
+        midi([0xB0, 100, 6]).at(2500),
+        midi([0xB0, 6, 8]).at(2500),
+        Event::NoteOn {
+            channel: 3,
+            key: 62,
+            note_id: 62,
+            velocity: 0.7,
+        }
+        .at(2600),
+        midi([0xE3, 12, 70]).at(2600),
+        midi([0xE3, 99, 60]).at(3003),
+        midi([0xB0, 64, 70]).at(3500),
+        midi([0xB0, 66, 127]).at(3600),
+        release(81).at(4000),
+        midi([0xB0, 11, 90]).at(4444),
+        midi([0xB0, 64, 0]).at(9000),
+        midi([0xB0, 121, 0]).at(9100),
+    ]
+}
+
 #[test]
 fn block_size_does_not_change_a_bit() {
     let take = |block: usize| {
@@ -103,6 +150,24 @@ fn block_size_does_not_change_a_bit() {
         let same = take(block) == reference;
         assert!(same, "blocks of {block} differ from blocks of 512");
     }
+}
+
+#[test]
+fn a_tail_is_told_that_holds() {
+    let mut plugin = plugin().unwrap();
+    set(&mut plugin, &["Alpha 2=50 1/s"]);
+    plugin.activate(48_000.0, 512).unwrap();
+    let (tail, after) = plugin
+        .on_audio_thread(|audio| {
+            audio.play(&[strike(74, 0.8).at(0)], 4800, 512).unwrap();
+            let tail = audio.tail().expect("an end");
+            audio.play(&[], tail as usize, 512).unwrap();
+            (tail, peak(&audio.play(&[], 4800, 512).unwrap().left))
+        })
+        .unwrap();
+    // 100 dB by the strongest modes' own decay rate of 25 1/s and more.
+    assert!((4800..48_000).contains(&tail), "{tail} frames");
+    assert!(after < 1e-5, "{after} after {tail} frames");
 }
 
 #[test]

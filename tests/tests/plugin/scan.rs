@@ -1,6 +1,7 @@
 //! What a host learns before it plays anything.
 
 use idiophone_tests::{library_file, plugin};
+use std::collections::HashSet;
 use xtask::host::Library;
 
 #[test]
@@ -21,6 +22,20 @@ fn it_describes_itself() {
     for feature in plugin.features.iter().filter(foreign) {
         assert!(feature.contains(':'), "{feature}");
     }
+}
+
+#[test]
+fn every_parameter_is_on_a_page_for_remote_controls() {
+    let mut plugin = plugin().unwrap();
+    let pages = plugin.pages();
+    let names: HashSet<_> = pages.iter().map(|(name, _)| name).collect();
+    assert_eq!(names.len(), pages.len());
+    let params = plugin.params();
+    for param in params.iter().filter(|param| !param.hidden) {
+        let there = pages.iter().any(|(_, ids)| ids.contains(&param.id));
+        assert!(there, "{}", param.name);
+    }
+    assert_eq!(plugin.voices(), Some(128));
 }
 
 #[test]

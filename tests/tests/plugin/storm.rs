@@ -1,15 +1,28 @@
 //! Whatever a host may send, in no order that makes sense.
 
+use idiophone::engine::OUTPUT_BOUND;
 use idiophone_tests::{Noise, peak, playing};
-use xtask::host::{Event, Param};
+use xtask::host::{Event, NoteExpressionType, Param};
 
 /// Events in all.
-const EVENTS: usize = 100_000;
+const EVENTS: usize = 30_000;
+/// Frames a second.
+const RATE: usize = 48_000;
+/// What five instruments make together at most, with the limiter off.
+pub(super) const BOUND: f32 = 5.0 * OUTPUT_BOUND;
 /// Longest block.
 const BLOCK: u64 = 512;
-/// No sample of the storm is greater.
-const BOUND: f32 = 8.0;
+const EXPRESSIONS: [NoteExpressionType; 7] = [
+    NoteExpressionType::Volume,
+    NoteExpressionType::Pan,
+    NoteExpressionType::Tuning,
+    NoteExpressionType::Vibrato,
+    NoteExpressionType::Expression,
+    NoteExpressionType::Brightness,
+    NoteExpressionType::Pressure,
+];
 
+/// Anything that a host may say of an instrument with these parameters.
 pub(super) fn random(noise: &mut Noise, params: &[Param]) -> Event {
     let odd = |noise: &mut Noise, value: f64| match noise.below(50) {
         0 => f64::NAN,
@@ -19,7 +32,7 @@ pub(super) fn random(noise: &mut Noise, params: &[Param]) -> Event {
     };
     let (channel, key) = (noise.below(16) as u8, noise.data_byte());
     let velocity = noise.unit();
-    match noise.below(10) {
+    match noise.below(12) {
         0..3 => Event::NoteOn {
             channel,
             key,
@@ -43,6 +56,19 @@ pub(super) fn random(noise: &mut Noise, params: &[Param]) -> Event {
             tempo_bpm: 20.0 + 300.0 * noise.unit(),
             seconds: 1000.0 * noise.unit(),
         },
+        7 => Event::Expression {
+            kind: EXPRESSIONS[noise.below(7) as usize],
+            note_id: noise.below(64) as u32,
+            value: odd(noise, 128.0 * velocity * velocity * velocity - 4.0),
+        },
+        8 => {
+            let some: Vec<_> = params.iter().filter(|param| param.modulatable).collect();
+            Event::Modulation {
+                id: some[noise.below(some.len() as u64) as usize].id,
+                note_id: noise.below(64) as u32,
+                amount: odd(noise, 2.0 * velocity - 1.0),
+            }
+        }
         _ => {
             let param = &params[noise.below(params.len() as u64) as usize];
             let value = param.min + noise.unit() * (param.max - param.min);
@@ -56,7 +82,7 @@ pub(super) fn random(noise: &mut Noise, params: &[Param]) -> Event {
 
 #[test]
 fn a_storm_of_events_leaves_the_sound_finite() {
-    let mut plugin = playing(48_000.0).unwrap();
+    let mut plugin = playing(RATE as f64).unwrap();
     let params: Vec<_> = plugin.params();
     let mut noise = Noise::new(2002);
     let loudest = plugin
@@ -75,6 +101,11 @@ fn a_storm_of_events_leaves_the_sound_finite() {
                 loudest = loudest.max(peak(&take.left)).max(peak(&take.right));
                 sent += count;
             }
+            // What is once no number would stay it.
+            let hush = Event::controller(120, 0).at(0);
+            audio.play(&[hush], RATE, BLOCK as usize).unwrap();
+            let after = audio.play(&[], 4800, BLOCK as usize).unwrap();
+            assert_eq!(peak(&after.left), 0.0, "after the storm");
             loudest
         })
         .unwrap();

@@ -52,7 +52,7 @@ const BY: f64 = 5.0 * 12.0 / 19.0 - 5.0;
 
 #[test]
 fn keys_have_the_pitches_of_the_scale() {
-    let from = (CONTACT_S * 48_000.0) as usize;
+    let from = xtask::midi::frame(CONTACT_S, 48_000.0) as usize;
     let mut plugin = plugin().unwrap();
     plugin.tune(&nineteen(), "").unwrap();
     plugin.activate(48_000.0, 512).unwrap();
@@ -104,7 +104,7 @@ fn a_text_that_cannot_be_read_changes_nothing_and_is_kept() {
     plugin.tune(&nineteen(), "").unwrap();
     plugin.activate(48_000.0, 512).unwrap();
     plugin.tune(bad, "").unwrap();
-    let from = (CONTACT_S * 48_000.0) as usize;
+    let from = xtask::midi::frame(CONTACT_S, 48_000.0) as usize;
     let take = play(&mut plugin, &[strike(KEY, 0.8).at(0)], from + WINDOW);
     assert_pitch("the last good one", &take.left[from..], BY);
     let state = plugin.state().unwrap();

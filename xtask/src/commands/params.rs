@@ -1,4 +1,4 @@
-//! `params`: the plug-in's parameters as a table.
+//! `params`: the plug-in's parameters as tables, group by group.
 
 use super::bundle;
 use crate::host::{Library, Param, Plugin};
@@ -25,11 +25,23 @@ impl Params {
             None => bundle::bundled_clap()?,
         };
         let mut plugin = Library::open(&path)?.instantiate()?;
-        let mut table = Table::new(["parameter", "from", "to", "default", "automatable"]);
-        for param in plugin.params().iter().filter(|param| !param.hidden) {
-            table.push(row(&mut plugin, param));
+        let mut params = plugin.params();
+        params.retain(|param| !param.hidden);
+        for (number, group) in params.chunk_by(|a, b| a.module == b.module).enumerate() {
+            let mut table = Table::new(["parameter", "from", "to", "default", "automatable"]);
+            for param in group {
+                table.push(row(&mut plugin, param));
+            }
+            let (gap, mark) = (
+                if number > 0 { "\n" } else { "" },
+                if self.markdown { "### " } else { "" },
+            );
+            println!(
+                "{gap}{mark}{}\n\n{}",
+                group[0].module,
+                table.text(self.markdown).trim_end()
+            );
         }
-        print!("{}", table.text(self.markdown));
         Ok(())
     }
 }
@@ -41,11 +53,7 @@ fn row(plugin: &mut Plugin, param: &Param) -> [String; 5] {
             .unwrap_or_else(|| value.to_string())
     };
     [
-        if param.module.is_empty() {
-            param.name.clone()
-        } else {
-            format!("{}/{}", param.module, param.name)
-        },
+        param.name.clone(),
         text(param.min),
         text(param.max),
         text(param.default),

@@ -9,6 +9,7 @@ use crate::settings;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use hound::{SampleFormat, WavSpec, WavWriter};
+use modes::tuning::Tuning;
 use std::fs::File;
 use std::io::BufWriter;
 use std::ops::RangeInclusive;
@@ -44,6 +45,12 @@ pub struct Render {
     /// Step a parameter to values at times in seconds ("Alpha 1@0:2 ns,4.5:300 ns")
     #[arg(long, value_name = "NAME@SECONDS:VALUE,…")]
     pub automate: Vec<String>,
+    /// Tune the keys by a Scala scale
+    #[arg(long, value_name = "SCALE.scl")]
+    pub scale: Option<PathBuf>,
+    /// Lay the scale on the keys by a Scala keyboard map
+    #[arg(long, value_name = "MAP.kbm")]
+    pub keyboard: Option<PathBuf>,
     /// Sample rate in Hz
     #[arg(long, value_name = "HZ", default_value_t = 48_000)]
     pub rate: u32,
@@ -74,6 +81,8 @@ impl Render {
             out,
             set: Vec::new(),
             automate: Vec::new(),
+            scale: None,
+            keyboard: None,
             rate: 48_000,
             block: 512,
             tail: None,
@@ -96,12 +105,16 @@ impl Render {
                 self.rate
             );
         }
+        let tuning = self.tuning()?;
         let (pending, file) = PendingFile::create(&self.out)?;
         let path = match &self.plugin {
             Some(path) => path.clone(),
             None => bundle::bundled_clap()?,
         };
         let mut plugin = Library::open(&path)?.instantiate()?;
+        if let Some([scale, keyboard]) = &tuning {
+            plugin.tune(scale, keyboard)?;
+        }
         let events = self.events(&mut plugin, &song)?;
         plugin.activate(rate_hz, self.block)?;
         let mut sound = Sound::new(file, self.rate)?;
@@ -132,6 +145,19 @@ impl Render {
             Some(tail) if !TAILS_S.contains(&tail) => bail!("--tail {tail}: allowed: 0…600 s"),
             _ => Ok(()),
         }
+    }
+
+    /// The texts of the scale and of the keyboard map, if there is one of them; both can be read.
+    fn tuning(&self) -> Result<Option<[String; 2]>> {
+        if self.scale.is_none() && self.keyboard.is_none() {
+            return Ok(None);
+        }
+        Tuning::load(self.scale.as_deref(), self.keyboard.as_deref())?;
+        let text = |path: &Option<PathBuf>| -> Result<String> {
+            let bytes = path.as_deref().map(std::fs::read).transpose()?;
+            Ok(plain(bytes.unwrap_or_default()))
+        };
+        Ok(Some([text(&self.scale)?, text(&self.keyboard)?]))
     }
 
     /// Applies the settings and gives the song's events and the automation's, by rising frame.
@@ -194,6 +220,12 @@ impl Render {
         }
         Ok(())
     }
+}
+
+/// A file of Scala's as a text: some are in Latin-1, whose bytes are the characters' numbers.
+fn plain(bytes: Vec<u8>) -> String {
+    String::from_utf8(bytes)
+        .unwrap_or_else(|error| error.as_bytes().iter().copied().map(char::from).collect())
 }
 
 impl Sound {

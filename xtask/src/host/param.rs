@@ -25,6 +25,8 @@ pub struct Param {
     pub stepped: bool,
     /// Whether hosts may automate it.
     pub automatable: bool,
+    /// Whether hosts may modulate it for one note alone.
+    pub modulatable: bool,
     /// Whether hosts should not show it.
     pub hidden: bool,
 }

@@ -67,6 +67,9 @@ impl Plugin {
                     default: info.default_value,
                     stepped: info.flags.contains(ParamInfoFlags::IS_STEPPED),
                     automatable: info.flags.contains(ParamInfoFlags::IS_AUTOMATABLE),
+                    modulatable: info
+                        .flags
+                        .contains(ParamInfoFlags::IS_MODULATABLE_PER_NOTE_ID),
                     hidden: info.flags.contains(ParamInfoFlags::IS_HIDDEN),
                 })
             })
