@@ -3,6 +3,8 @@
 //! [`engine`] turns strikes into sound and knows no host; [`params`] names everything that can be
 //! automated; the rest is the shell that CLAP and VST3 hosts load.
 
+#[cfg(feature = "gui")]
+pub mod editor;
 pub mod engine;
 pub mod factory;
 mod guard;
@@ -19,6 +21,8 @@ mod workshop;
 
 pub use user_folder::user_folder;
 
+#[cfg(feature = "gui")]
+use nice_plug::prelude::AsyncExecutor;
 use nice_plug::prelude::{
     ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,
     ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, PolyModulationConfig,
@@ -38,6 +42,8 @@ pub struct Idiophone {
     controls: Arc<Controls>,
     player: Option<Player>,
     workshop: Option<Workshop>,
+    #[cfg(feature = "gui")]
+    desk: editor::Desk,
 }
 
 impl Plugin for Idiophone {
@@ -56,12 +62,23 @@ impl Plugin for Idiophone {
     /// Beyond this many events in a block the framework allocates.
     const INPUT_EVENT_CAPACITY: usize = 8192;
 
+    #[cfg(feature = "gui")]
+    type Editor = editor::Window;
+    #[cfg(not(feature = "gui"))]
     type Editor = ();
     type SysExMessage = ();
     type BackgroundTask = ();
 
     fn params(&self) -> Arc<dyn Params> {
-        self.controls.clone()
+        #[cfg(feature = "gui")]
+        return self.desk.params(&self.controls);
+        #[cfg(not(feature = "gui"))]
+        return self.controls.clone();
+    }
+
+    #[cfg(feature = "gui")]
+    fn editor(&mut self, _executor: AsyncExecutor<Self>) -> Option<Self::Editor> {
+        Some(self.desk.window(&self.controls))
     }
 
     fn filter_state(state: &mut PluginState) {
@@ -112,7 +129,19 @@ impl Plugin for Idiophone {
         if let Some(workshop) = &self.workshop {
             player.stage().turn(self.controls.body.index(), workshop);
         }
+        #[cfg(feature = "gui")]
+        let open = self.desk.is_open();
+        #[cfg(feature = "gui")]
+        if open {
+            self.desk.play(player);
+        }
         player.play::<Self>(left, right, context);
+        #[cfg(feature = "gui")]
+        if open {
+            self.desk.report(player, [left, right]);
+            // A click is to be heard at once, whatever the host makes of silence.
+            return ProcessStatus::KeepAlive;
+        }
         match player.tail() {
             Some(0) => ProcessStatus::Normal,
             Some(frames) => ProcessStatus::Tail(frames),

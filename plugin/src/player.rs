@@ -4,6 +4,8 @@ mod hear;
 mod move_on;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "gui")]
+mod touch;
 
 use crate::engine::{GRID, Settings};
 use crate::guard::put_right;

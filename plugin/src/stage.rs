@@ -57,6 +57,12 @@ impl Stage {
         }
     }
 
+    /// The instrument that is struck, and its index.
+    #[cfg(feature = "gui")]
+    pub(crate) fn present(&self) -> (usize, &Engine) {
+        (self.index, &self.present.engine)
+    }
+
     /// Brings the wanted instrument on as soon as the workshop has it.
     ///
     /// What rang goes on ringing. If too much does, the instrument that has rung longest is silenced

@@ -23,6 +23,12 @@ pub(crate) struct Reached {
 }
 
 impl Reached {
+    /// Sound pressure at the ear that gets more of it, resonator open, for a modal velocity of 1: in
+    /// Pa·kg^(−1/2)·s/m over 2π.
+    pub(crate) fn loudness(&self) -> f64 {
+        loudest(&sum(&self.direct, &self.piped)) / self.hz
+    }
+
     /// Whether a resonator is heard.
     pub(crate) fn is_piped(&self) -> bool {
         loudest(&self.piped) > 0.0

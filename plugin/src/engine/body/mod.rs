@@ -98,6 +98,11 @@ impl Body {
         }
     }
 
+    /// What the modes are tuned to, once they have been.
+    pub(crate) fn tuned(&self) -> Option<Tuned> {
+        self.tuned
+    }
+
     /// Packs that may be ringing, among those of the instrument.
     pub(crate) fn ringing(&self) -> Range<usize> {
         self.place.start..self.place.start + self.live

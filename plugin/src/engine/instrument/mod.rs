@@ -1,7 +1,10 @@
 //! A body for each key, and their mix.
 
 mod cells;
+mod glance;
 mod playing;
+
+pub use glance::{Held, Struck};
 
 use super::body::Body;
 use super::cell::Cell;
@@ -74,6 +77,8 @@ pub struct Engine {
     kernel: Kernel,
     step_s: f64,
     position: u64,
+    /// The last blow.
+    struck: Option<Struck>,
 }
 
 /// The keys whose bits are set, from the lowest.
@@ -168,6 +173,7 @@ impl Engine {
             kernel,
             step_s,
             position: 0,
+            struck: None,
         }
     }
 

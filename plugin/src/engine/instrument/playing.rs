@@ -44,6 +44,8 @@ impl Engine {
         let hit = hit.sane();
         self.choked &= !bit(key);
         self.stale |= bit(key);
+        let touch = Touch::new(&self.settings, &hit, chance(key, self.position));
+        self.remember(key, touch.position, hit.velocity);
         let hand = &mut self.hands[usize::from(key)];
         hand.hold.felt = 0.0;
         if self.settings.bow.rubs {
@@ -62,7 +64,7 @@ impl Engine {
             mallet: mallet.sane(),
             body_pa: self.modulus_pa * tweak.stiffness,
             heavier: tweak.mass(),
-            touch: Touch::new(&self.settings, &hit, chance(key, self.position)),
+            touch,
             seed: grain(key, self.position),
         };
         self.wake(key);

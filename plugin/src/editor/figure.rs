@@ -1,0 +1,261 @@
+//! How a body is drawn: by its kind, from its strike line, and by its size.
+
+use egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
+
+/// What kind of body it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Lies, and is struck from above along its length.
+    Bar,
+    /// Hangs, and is struck from the side along its length.
+    Tube,
+    /// Stands, and is struck from the rim to the middle of its base.
+    Bowl,
+}
+
+impl Kind {
+    /// That of a bank's body: a bowl's line turns, a tube's runs upwards, a bar's along.
+    #[must_use]
+    pub fn of(body: &modes::Body) -> Self {
+        let (Some(first), Some(last)) = (body.line.points_m.first(), body.line.points_m.last())
+        else {
+            return Self::Bar;
+        };
+        let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let normals = &body.line.normals;
+        let turns = normals
+            .first()
+            .is_some_and(|a| normals.iter().any(|b| dot(a, b) < 0.9));
+        if turns {
+            return Self::Bowl;
+        }
+        let [x, _, z] = [0, 1, 2].map(|k| (last[k] - first[k]).abs());
+        if z > x { Self::Tube } else { Self::Bar }
+    }
+
+    /// Its name for people.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Bar => "bar",
+            Self::Tube => "tube",
+            Self::Bowl => "bowl",
+        }
+    }
+
+    /// Where 0 and 1 of its line are.
+    pub(super) fn ends(self) -> [&'static str; 2] {
+        match self {
+            Self::Bar => ["one end", "the other"],
+            Self::Tube => ["the lower end", "the upper end"],
+            Self::Bowl => ["the rim", "the middle"],
+        }
+    }
+}
+
+/// A body as it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Figure {
+    /// MIDI key.
+    pub key: u8,
+    /// What it is.
+    pub kind: Kind,
+    /// Where it is; a bowl fills it as a circle.
+    pub rect: Rect,
+}
+
+impl Figure {
+    /// Whether a point is on the body, or within `slack` points of it.
+    pub(super) fn holds(&self, at: Pos2, slack: f32) -> bool {
+        match self.kind {
+            Kind::Bowl => (at - self.rect.center()).length() <= 0.5 * self.rect.width() + slack,
+            Kind::Bar | Kind::Tube => self.rect.expand(slack).contains(at),
+        }
+    }
+
+    /// Which place 0…1 on the body's line a point is.
+    #[must_use]
+    pub fn position(&self, at: Pos2) -> f32 {
+        let share = match self.kind {
+            Kind::Bowl => {
+                1.0 - (at - self.rect.center()).length() / (0.5 * self.rect.width()).max(1.0)
+            }
+            Kind::Bar | Kind::Tube => (self.rect.bottom() - at.y) / self.rect.height().max(1.0),
+        };
+        share.clamp(0.0, 1.0)
+    }
+
+    /// Where a place 0…1 on the line is; on a bowl, towards the player.
+    #[must_use]
+    pub fn point(&self, position: f32) -> Pos2 {
+        let centre = self.rect.center();
+        match self.kind {
+            Kind::Bowl => centre + vec2(0.0, 0.5 * self.rect.width() * (1.0 - position)),
+            Kind::Bar | Kind::Tube => {
+                pos2(centre.x, self.rect.bottom() - position * self.rect.height())
+            }
+        }
+    }
+}
+
+/// Whether a key is black on a piano.
+pub(super) fn is_black(key: u8) -> bool {
+    matches!(key % 12, 1 | 3 | 6 | 8 | 10)
+}
+
+/// A key's name, with C4 for key 60.
+pub(super) fn key_name(key: u8) -> String {
+    const NAMES: [&str; 12] = [
+        "C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B",
+    ];
+    let octave = i32::from(key / 12) - 1;
+    format!("{}{octave}", NAMES[usize::from(key % 12)])
+}
+
+/// Lays the bodies out as a vibraphone's are: black keys behind, white keys before, low ones on the left,
+/// long ones beside short ones
+/// as they are.
+#[must_use]
+pub fn lay_out(bank: &modes::Bank, area: Rect) -> Vec<Figure> {
+    let whites_to = |key: u8| (0..key).filter(|key| !is_black(*key)).count() as f32;
+    let (Some(first), Some(last)) = (bank.bodies.first(), bank.bodies.last()) else {
+        return Vec::new();
+    };
+    // Bowls are wider than their columns.
+    let margin = match Kind::of(first) {
+        Kind::Bowl => 0.15,
+        Kind::Bar | Kind::Tube => 0.0,
+    };
+    let from = whites_to(first.key) - margin - if is_black(first.key) { 0.5 } else { 0.0 };
+    let to = whites_to(last.key) + margin + if is_black(last.key) { 0.5 } else { 1.0 };
+    let column = area.width() / (to - from);
+    let longest = bank
+        .bodies
+        .iter()
+        .fold(f64::MIN_POSITIVE, |most, body| most.max(body.length_m));
+    let rank = 0.5 * area.height();
+    bank.bodies
+        .iter()
+        .map(|body| {
+            let black = is_black(body.key);
+            let kind = Kind::of(body);
+            let whites = whites_to(body.key);
+            let x = whites - from + if black { 0.0 } else { 0.5 };
+            let share = (body.length_m / longest) as f32;
+            let middle = area.top() + if black { 0.5 } else { 1.5 } * rank;
+            let (size, y) = match kind {
+                Kind::Bowl => {
+                    // Every other one stands farther back, so that there is room for larger ones; small
+                    // ones are drawn larger than they are, so that they can be hit.
+                    let back = if whites % 2.0 == 0.0 { 1.0 } else { -1.0 };
+                    let widest = (0.54 * rank).min(1.25 * column);
+                    let size = Vec2::splat(widest * share.powf(0.6).max(0.3));
+                    (size, middle + 0.21 * rank * back)
+                }
+                Kind::Bar => {
+                    let size = vec2(0.74 * column, (rank - 8.0) * share.max(0.15));
+                    (size, middle)
+                }
+                Kind::Tube => {
+                    let (room, share) = (rank - 10.0, share.max(0.15));
+                    // Tubes hang from a rail.
+                    let y = middle - 0.5 * room * (1.0 - share);
+                    (vec2(0.6 * column, room * share), y)
+                }
+            };
+            Figure {
+                key: body.key,
+                kind,
+                rect: Rect::from_center_size(pos2(area.left() + x * column, y), size),
+            }
+        })
+        .collect()
+}
+
+/// The colour of a material, which its density and stiffness give away.
+pub(super) fn tint(material: &modes::Material, dark: bool) -> Color32 {
+    let density = material.density_kg_m3;
+    let [r, g, b] = if density < 1500.0 {
+        [0x9c, 0x6b, 0x43]
+    } else if density < 2500.0 {
+        [0xa9, 0xc4, 0xcf]
+    } else if density < 4000.0 {
+        [0xa4, 0xa9, 0xb5]
+    } else if density < 8200.0 {
+        [0x8f, 0x97, 0xa6]
+    } else {
+        [0xa8, 0x8a, 0x4e]
+    };
+    let scale = if dark { 0.62 } else { 1.0 };
+    let [r, g, b] = [r, g, b].map(|x: i32| {
+        #[expect(clippy::cast_sign_loss, reason = "colours are not negative")]
+        let shade = (f64::from(x) * scale) as u8;
+        shade
+    });
+    Color32::from_rgb(r, g, b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::factory;
+
+    fn area() -> Rect {
+        Rect::from_min_size(pos2(10.0, 20.0), vec2(900.0, 200.0))
+    }
+
+    #[test]
+    fn kinds_are_those_of_the_recipes() {
+        for (name, kind) in [
+            ("chimes", Kind::Tube),
+            ("tubular-bells", Kind::Tube),
+            ("vibraphone", Kind::Bar),
+            ("singing-bowls", Kind::Bowl),
+            ("oak-bowls", Kind::Bowl),
+        ] {
+            let index = factory::BANKS.iter().position(|(other, _)| *other == name);
+            let bank = factory::bank(index.unwrap());
+            assert!(
+                bank.bodies.iter().all(|body| Kind::of(body) == kind),
+                "{name}"
+            );
+        }
+    }
+
+    #[test]
+    fn every_body_is_within_the_area_and_on_no_other() {
+        for index in 0..factory::BANKS.len() {
+            let figures = lay_out(factory::bank(index), area());
+            for (number, figure) in figures.iter().enumerate() {
+                assert!(area().expand(1e-3).contains_rect(figure.rect), "{figure:?}");
+                for other in &figures[..number] {
+                    let apart = (figure.rect.center() - other.rect.center()).length();
+                    let touching = match figure.kind {
+                        Kind::Bowl => apart < 0.5 * (figure.rect.width() + other.rect.width()),
+                        _ => figure.rect.intersects(other.rect),
+                    };
+                    assert!(!touching, "{figure:?} {other:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn positions_and_points_agree() {
+        for index in [0, 1] {
+            for figure in lay_out(factory::bank(index), area()) {
+                for i in 0..=10 {
+                    let position = i as f32 / 10.0;
+                    let point = figure.point(position);
+                    assert!((figure.position(point) - position).abs() < 1e-4);
+                    assert!(figure.holds(point, 0.1));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn keys_have_names() {
+        assert_eq!((key_name(60), key_name(61)), ("C4".into(), "C#4".into()));
+        assert_eq!((key_name(0), key_name(127)), ("C-1".into(), "G9".into()));
+    }
+}

@@ -1,0 +1,55 @@
+//! What the editor sees of the engine at one instant.
+
+use crate::engine::{Engine, Held, Struck};
+
+/// Modes of a body that are shown at most.
+pub const MOST_MODES: usize = 2048;
+
+/// One look at the engine.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Index of the instrument.
+    pub instrument: usize,
+    /// The last blow.
+    pub struck: Option<Struck>,
+    /// Energy of each key's body, in J.
+    pub energies_j: [f32; 128],
+    /// How loud each mode of the body struck last is, as an amplitude over full scale.
+    pub levels: Vec<f32>,
+    /// What holds that body.
+    pub held: Held,
+    /// Greatest samples of the left and the right channel since the frame before.
+    pub peaks: [f32; 2],
+}
+
+impl Default for Frame {
+    /// Silence, with room for every mode.
+    fn default() -> Self {
+        Self {
+            instrument: 0,
+            struck: None,
+            energies_j: [0.0; 128],
+            levels: Vec::with_capacity(MOST_MODES),
+            held: Held::default(),
+            peaks: [0.0; 2],
+        }
+    }
+}
+
+impl Frame {
+    /// Writes what there is to see; does not allocate.
+    pub fn fill(&mut self, instrument: usize, engine: &Engine, peaks: [f32; 2]) {
+        self.instrument = instrument;
+        self.peaks = peaks;
+        self.struck = engine.struck();
+        engine.energies_j(&mut self.energies_j);
+        self.levels.resize(MOST_MODES, 0.0);
+        let mut count = 0;
+        self.held = Held::default();
+        if let Some(struck) = self.struck {
+            count = engine.levels(struck.key, &mut self.levels);
+            self.held = engine.held(struck.key);
+        }
+        self.levels.truncate(count);
+    }
+}

@@ -1,0 +1,177 @@
+//! The partials of a body: upwards how loud each is, downwards how long it rings and why it stops.
+
+use super::axis::Axis;
+use super::card::card;
+use super::frame::Frame;
+use super::grid::{FLOOR_DB, Halves, grid};
+use super::ringing::{Ringing, hertz};
+use super::shown::Shown;
+use super::theme::{Cause, Theme, body, small};
+use crate::engine::Settings;
+use egui::{Align2, Id, Painter, Rangef, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use modes::Damping;
+
+/// Greatest distance in points of the pointer from the partial that it is on.
+const REACH: f32 = 10.0;
+/// Least width in points for all that can be said of a body.
+const WIDE: f32 = 400.0;
+
+/// What the plot needs to know.
+pub(super) struct Scene<'a> {
+    pub(super) shown: &'a Shown,
+    pub(super) frame: &'a Frame,
+    pub(super) settings: &'a Settings,
+    /// What the material damps by itself.
+    pub(super) own: &'a Damping,
+    /// How long a blow lasts, in s.
+    pub(super) contact_s: f64,
+    pub(super) theme: &'a Theme,
+}
+
+/// A partial on its place.
+struct Line {
+    number: usize,
+    x: f32,
+    /// Levels in dB below the loudest: what a blow would give, and what there is.
+    set_db: f32,
+    live_db: f32,
+    ringing: Ringing,
+}
+
+/// Draws the plot at `area`.
+pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) {
+    let header = Rect::from_min_size(area.min, vec2(area.width(), 40.0));
+    let rest = Rect::from_min_max(pos2(area.left(), header.bottom()), area.max);
+    let halves = Halves::of(rest);
+    let partials = &scene.shown.partials;
+    let lowest = partials.first().map_or(100.0, |first| first.hz);
+    let highest = partials.last().map_or(1e4, |last| last.hz);
+    let ratio = scene.frame.held.ratio;
+    let span = [0.8 * lowest * ratio, (1.1 * highest * ratio).min(20e3)];
+    let hz = Axis::log(span, halves.up.x_range());
+    let t60 = Axis::log([0.01, 100.0], halves.down.y_range());
+    let lines = lines(scene, &hz);
+    let response = ui.interact(area, Id::unique("partials"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Partials"));
+    let pointed = response
+        .hover_pos()
+        .filter(|at| at.y > header.bottom())
+        .and_then(|at| nearest(&lines, at.x));
+    let painter = ui.painter();
+    grid(painter, &halves, &hz, &t60, scene.theme);
+    for line in &lines {
+        let on = pointed.is_some_and(|on| on.number == line.number);
+        draw(painter, scene, line, &halves, &t60, on);
+    }
+    describe(ui, header, scene, pointed.or_else(|| loudest(&lines)));
+}
+
+/// The body, and one of its partials, in words.
+fn describe(ui: &Ui, header: Rect, scene: &Scene<'_>, told: Option<&Line>) {
+    let (painter, theme) = (ui.painter(), scene.theme);
+    let at = header.left_top() + vec2(2.0, 0.0);
+    painter.text(
+        at,
+        Align2::LEFT_TOP,
+        scene.shown.title(),
+        body(),
+        theme.text,
+    );
+    if header.width() > WIDE {
+        let text = format!("mallet touches for {:.2} ms", 1e3 * scene.contact_s);
+        let at = header.right_top() + vec2(-2.0, 2.0);
+        painter.text(at, Align2::RIGHT_TOP, text, small(), theme.quiet);
+    }
+    if let Some(line) = told {
+        let label = scene.shown.partials[line.number].label;
+        let place = Rect::from_min_max(at + vec2(0.0, 19.0), header.right_bottom());
+        card(ui, place, &label.to_string(), &line.ringing, theme);
+    }
+}
+
+fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
+    let position = scene.settings.strike_position;
+    let partials = &scene.shown.partials;
+    let levels: Vec<f64> = partials
+        .iter()
+        .map(|partial| partial.level(position, scene.contact_s))
+        .collect();
+    let most = levels
+        .iter()
+        .fold(f64::MIN_POSITIVE, |most, x| most.max(*x));
+    let below_db = |share: f64| (-20.0 * share.max(1e-9).log10()) as f32;
+    let held = &scene.frame.held;
+    partials
+        .iter()
+        .zip(&levels)
+        .enumerate()
+        .map(|(number, (partial, level))| {
+            let ringing = Ringing::of(partial, &scene.settings.losses, scene.own, held);
+            let live = scene.shown.live(scene.frame, number);
+            Line {
+                number,
+                x: hz.place(ringing.hz),
+                set_db: below_db(level / most),
+                live_db: below_db(live.into()),
+                ringing,
+            }
+        })
+        .filter(|line| hz.holds(line.ringing.hz))
+        .collect()
+}
+
+/// The partial nearest to the pointer; of those near alike, the loudest.
+fn nearest(lines: &[Line], x: f32) -> Option<&Line> {
+    let near = lines
+        .iter()
+        .filter(|line| (line.x - x).abs() <= REACH && line.set_db < FLOOR_DB);
+    let cost = |line: &Line| (line.x - x).abs() + 0.1 * line.set_db;
+    near.min_by(|a, b| cost(a).total_cmp(&cost(b)))
+}
+
+/// The partial that is loudest now, or would be.
+fn loudest(lines: &[Line]) -> Option<&Line> {
+    let rings = lines.iter().any(|line| line.live_db < FLOOR_DB);
+    let level = |line: &Line| if rings { line.live_db } else { line.set_db };
+    lines.iter().min_by(|a, b| level(a).total_cmp(&level(b)))
+}
+
+fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60: &Axis, on: bool) {
+    let (theme, Halves { up, down, .. }) = (scene.theme, *halves);
+    let (x, width) = (line.x, if on { 4.0 } else { 2.5 });
+    let y_of = |db: f32| up.top() + up.height() * (db / FLOOR_DB).clamp(0.0, 1.0);
+    let rise = |db: f32| Rangef::new(y_of(db), up.bottom());
+    let audible = line.set_db < FLOOR_DB || line.live_db < FLOOR_DB;
+    if line.set_db < FLOOR_DB {
+        let colour = if on {
+            theme.text
+        } else {
+            theme.quiet.gamma_multiply(0.6)
+        };
+        painter.vline(x, rise(line.set_db), Stroke::new(width, colour));
+    }
+    if line.live_db < FLOOR_DB {
+        painter.vline(x, rise(line.live_db), Stroke::new(width + 0.5, theme.glow));
+        painter.circle_filled(pos2(x, y_of(line.live_db)), 0.5 * width + 1.5, theme.glow);
+    }
+    let end = t60.place(line.ringing.t60_s().clamp(0.01, 100.0));
+    let mut y = down.top();
+    for (cause, share) in Cause::ALL.into_iter().zip(line.ringing.shares()) {
+        let to = y + (end - down.top()) * share as f32;
+        let colour = theme
+            .cause(cause)
+            .gamma_multiply(if audible { 1.0 } else { 0.25 });
+        painter.vline(x, Rangef::new(y, to), Stroke::new(width, colour));
+        y = to;
+    }
+    if on {
+        let right = x > up.center().x;
+        let anchor = if right {
+            Align2::RIGHT_TOP
+        } else {
+            Align2::LEFT_TOP
+        };
+        let at = pos2(x + if right { -5.0 } else { 5.0 }, up.top() + 2.0);
+        painter.text(at, anchor, hertz(line.ringing.hz), small(), theme.text);
+    }
+}

@@ -1,0 +1,85 @@
+//! The body whose partials are shown.
+
+use super::figure::{Kind, key_name};
+use super::frame::Frame;
+use crate::engine::Partial;
+use crate::factory;
+
+/// The partials of one body, worked out once.
+pub(super) struct Shown {
+    instrument: usize,
+    pub(super) key: u8,
+    pub(super) partials: Vec<Partial>,
+    /// Loudest level since the last blow, as an amplitude over full scale.
+    pub(super) peak: f32,
+    /// Number of that blow.
+    count: Option<u32>,
+}
+
+impl Shown {
+    /// A body of that instrument: that of `key`, or else the one in the middle.
+    pub(super) fn new(instrument: usize, key: Option<u8>) -> Self {
+        let bodies = &factory::bank(instrument).bodies;
+        let body = bodies
+            .iter()
+            .find(|body| Some(body.key) == key)
+            .or_else(|| bodies.iter().min_by_key(|body| body.key.abs_diff(60)));
+        Self {
+            instrument,
+            key: body.map_or(60, |body| body.key),
+            partials: body.map_or_else(Vec::new, Partial::all),
+            peak: 0.0,
+            count: None,
+        }
+    }
+
+    /// Follows instrument and blows.
+    pub(super) fn follow(&mut self, instrument: usize, frame: &Frame) {
+        let struck = frame.struck;
+        let key = struck.map(|struck| struck.key);
+        if instrument != self.instrument || key.is_some_and(|key| key != self.key) {
+            let known = key.filter(|_| instrument == self.instrument);
+            *self = Self::new(instrument, known.or(Some(self.key)));
+        }
+        if self.count != struck.map(|struck| struck.count) {
+            self.count = struck.map(|struck| struck.count);
+            self.peak = 0.0;
+        }
+        if key == Some(self.key) {
+            self.peak = frame.levels.iter().fold(self.peak, |most, x| most.max(*x));
+        }
+    }
+
+    /// How loud a partial is now beside the loudest since the last blow, 0…1.
+    pub(super) fn live(&self, frame: &Frame, number: usize) -> f32 {
+        let ours = frame.struck.is_some_and(|struck| struck.key == self.key);
+        match frame.levels.get(number) {
+            Some(level) if ours && self.peak > 1e-9 => level / self.peak,
+            _ => 0.0,
+        }
+    }
+
+    /// Which body it is, in words.
+    pub(super) fn title(&self) -> String {
+        let bank = factory::bank(self.instrument);
+        let body = bank.bodies.iter().find(|body| body.key == self.key);
+        body.map_or_else(String::new, |body| {
+            let long_m = body.length_m;
+            let size = if long_m < 1.0 {
+                format!("{:.1} cm", 1e2 * long_m)
+            } else {
+                format!("{long_m:.2} m")
+            };
+            let across = match Kind::of(body) {
+                Kind::Bowl => "across",
+                Kind::Bar | Kind::Tube => "long",
+            };
+            format!(
+                "{}: a {} {size} {across}, {:.0} g",
+                key_name(self.key),
+                Kind::of(body).name(),
+                1e3 * body.mass_kg
+            )
+        })
+    }
+}

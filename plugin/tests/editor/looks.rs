@@ -1,0 +1,121 @@
+//! How the window looks.
+
+use crate::bench::Bench;
+use crate::picture::check;
+use crate::raster::{Pixels, Raster};
+use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, ViewportId, vec2};
+use nice_plug::prelude::ParamSetter;
+
+/// Draws a window of `size` points after the pointer has come to a place and, if so said, clicked there.
+fn draw(bench: &Bench, size: [f32; 2], scale: f32, pointer: Option<(Pos2, bool)>) -> Pixels {
+    let context = Context::default();
+    let mut raster = Raster::default();
+    let mut drawn = None;
+    // Sizes settle, and what moves comes to rest.
+    for step in 0..5u8 {
+        let mut input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, size.into())),
+            time: Some(f64::from(step) / 60.0),
+            events: events(step, pointer),
+            ..RawInput::default()
+        };
+        if let Some(info) = input.viewports.get_mut(&ViewportId::ROOT) {
+            info.native_pixels_per_point = Some(scale);
+        }
+        let mut out = context.run_ui(input, |ui| {
+            let setter = ParamSetter::new(&*bench.host);
+            bench.ui.borrow_mut().show(ui, &setter);
+        });
+        raster.load(&out.textures_delta);
+        out.textures_delta.clear();
+        let primitives = context.tessellate(out.shapes, out.pixels_per_point);
+        let pixels = size.map(|side| (side * scale) as usize);
+        drawn = Some((primitives, pixels));
+    }
+    let (primitives, pixels) = drawn.unwrap();
+    raster.draw(&primitives, pixels, scale)
+}
+
+/// What the pointer does at a step: comes, presses, and lets go.
+fn events(step: u8, pointer: Option<(Pos2, bool)>) -> Vec<Event> {
+    match (step, pointer) {
+        (0, Some((pos, _))) => vec![Event::PointerMoved(pos)],
+        (1 | 2, Some((pos, true))) => vec![Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed: step == 1,
+            modifiers: Modifiers::NONE,
+        }],
+        _ => Vec::new(),
+    }
+}
+
+const USUAL: [f32; 2] = [1000.0, 680.0];
+
+#[test]
+fn chimes_at_rest() {
+    check(
+        "chimes-at-rest",
+        &draw(&Bench::new("chimes"), USUAL, 1.0, None),
+    );
+}
+
+#[test]
+fn a_vibraphone_that_rings() {
+    let bench = Bench::new("vibraphone");
+    bench.ring(
+        "vibraphone",
+        &[(48, 0.9), (55, 0.8), (64, 0.8), (71, 0.8), (74, 0.9)],
+        0.15,
+    );
+    check("vibraphone-rings", &draw(&bench, USUAL, 1.0, None));
+}
+
+#[test]
+fn the_same_on_a_fine_screen() {
+    let bench = Bench::new("vibraphone");
+    bench.ring(
+        "vibraphone",
+        &[(48, 0.9), (55, 0.8), (64, 0.8), (71, 0.8), (74, 0.9)],
+        0.15,
+    );
+    check("vibraphone-rings-2x", &draw(&bench, USUAL, 2.0, None));
+}
+
+#[test]
+fn bowls_in_a_bright_room() {
+    let bench = Bench::new("singing-bowls");
+    bench.saved.set_dark(false);
+    bench.ring("singing-bowls", &[(52, 0.9), (60, 0.9)], 0.2);
+    check("singing-bowls-light", &draw(&bench, USUAL, 1.0, None));
+}
+
+#[test]
+fn the_least_window() {
+    let bench = Bench::new("tubular-bells");
+    bench.ring("tubular-bells", &[(60, 1.0)], 0.05);
+    let least = idiophone::editor::LEAST_SIZE;
+    check("tubular-bells-least", &draw(&bench, least, 1.0, None));
+}
+
+#[test]
+fn a_partial_that_is_pointed_at() {
+    let bench = Bench::new("chimes");
+    bench.ring("chimes", &[(72, 1.0)], 0.1);
+    let at = Pos2::ZERO + vec2(205.0, 450.0);
+    check(
+        "chimes-partial-2x",
+        &draw(&bench, USUAL, 2.0, Some((at, false))),
+    );
+}
+
+#[test]
+fn causes_of_damping_have_their_colours() {
+    let bench = Bench::new("vibraphone");
+    bench.set("alpha1", 0.4);
+    bench.set("tanphi", 0.5);
+    bench.ring("vibraphone", &[(60, 1.0)], 0.1);
+    let tab = Pos2::ZERO + vec2(577.0, 305.0);
+    let drawn = draw(&bench, USUAL, 1.0, Some((tab, true)));
+    check("vibraphone-damping", &drawn);
+}

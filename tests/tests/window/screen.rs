@@ -1,0 +1,106 @@
+//! An X screen with one window, a pointer that clicks, and a camera.
+
+use std::collections::HashSet;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::Path;
+use x11rb::connection::Connection as _;
+use x11rb::protocol::xproto::{
+    BUTTON_PRESS_EVENT, BUTTON_RELEASE_EVENT, ConnectionExt as _, CreateWindowAux, ImageFormat,
+    MOTION_NOTIFY_EVENT, WindowClass,
+};
+use x11rb::protocol::xtest::ConnectionExt as _;
+use x11rb::rust_connection::RustConnection;
+use x11rb::wrapper::ConnectionExt as _;
+
+/// Width and height of the window.
+const SIZE: [u16; 2] = [1100, 800];
+
+/// The screen.
+pub(crate) struct Screen {
+    connection: RustConnection,
+    root: u32,
+    window: u32,
+}
+
+/// What the camera saw.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Shot {
+    rgb: Vec<u8>,
+}
+
+impl Screen {
+    /// The one that `DISPLAY` names.
+    pub(crate) fn open() -> Self {
+        let (connection, number) = x11rb::connect(None).unwrap();
+        let root = connection.setup().roots[number].root;
+        let window = connection.generate_id().unwrap();
+        let [width, height] = SIZE;
+        let look = CreateWindowAux::new().background_pixel(0);
+        let class = WindowClass::INPUT_OUTPUT;
+        connection
+            .create_window(0, window, root, 0, 0, width, height, 0, class, 0, &look)
+            .unwrap();
+        connection.map_window(window).unwrap();
+        connection.sync().unwrap();
+        Self {
+            connection,
+            root,
+            window,
+        }
+    }
+
+    /// The window that editors are put into.
+    pub(crate) fn window(&self) -> u32 {
+        self.window
+    }
+
+    /// Moves the pointer and clicks.
+    pub(crate) fn click(&self, [x, y]: [i16; 2]) {
+        for (kind, detail) in [
+            (MOTION_NOTIFY_EVENT, 0),
+            (BUTTON_PRESS_EVENT, 1),
+            (BUTTON_RELEASE_EVENT, 1),
+        ] {
+            self.connection
+                .xtest_fake_input(kind, detail, 0, self.root, x, y, 0)
+                .unwrap();
+            self.connection.sync().unwrap();
+            std::thread::sleep(std::time::Duration::from_millis(50));
+        }
+    }
+
+    /// Takes a picture of the window and of what is in it.
+    pub(crate) fn shoot(&self) -> Shot {
+        let [width, height] = SIZE;
+        let format = ImageFormat::Z_PIXMAP;
+        let image = self
+            .connection
+            .get_image(format, self.root, 0, 0, width, height, u32::MAX)
+            .unwrap()
+            .reply()
+            .unwrap();
+        let rgb = image.data.chunks_exact(4);
+        Shot {
+            rgb: rgb.flat_map(|bgr| [bgr[2], bgr[1], bgr[0]]).collect(),
+        }
+    }
+}
+
+impl Shot {
+    /// How many colours there are.
+    pub(crate) fn colours(&self) -> usize {
+        self.rgb.chunks_exact(3).collect::<HashSet<_>>().len()
+    }
+
+    /// Writes a PNG.
+    pub(crate) fn save(&self, path: &Path) {
+        let file = BufWriter::new(File::create(path).unwrap());
+        let [width, height] = SIZE.map(u32::from);
+        let mut encoder = png::Encoder::new(file, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(&self.rgb).unwrap();
+    }
+}
