@@ -25,9 +25,12 @@ fn top_octave(key: u8) -> f64 {
     f64::from(key - LAST_STRAIGHT_KEY) / f64::from(HIGHEST_KEY - LAST_STRAIGHT_KEY)
 }
 
+/// A4.
+const HIGHEST_FAR_KEY: u8 = 69;
+
 /// Frequencies of the second and third bending modes as multiples of the first.
 ///
-/// 4.01 and 10.172 up to F5, then falling by equal steps a key to 3.5 and 6.5 at F6, as bars of Musser
+/// 4.01 and 10.17 (10.173 up to A4, where real bars lie farther out) up to F5, then falling by equal
 /// M55 and Ross sets do (wyndorps.de, E_DIY_01); 3.5 and 6.5 above. Makers name 4 and 10; the bars of
 /// those sets have 4 and up to 11, recorded bars 3.98 to 4.06 and 10.13 to 10.33: this is the side
 /// of the makers' figures on which real bars lie.
@@ -35,7 +38,12 @@ fn top_octave(key: u8) -> f64 {
 pub fn vibraphone_ratios(key: u8) -> [f64; 2] {
     let top = top_octave(key);
     let mix = |straight: f64, highest: f64| straight + top * (highest - straight);
-    [mix(4.01, 3.5), mix(10.172, 6.5)]
+    let third = if key <= HIGHEST_FAR_KEY {
+        10.173
+    } else {
+        10.17
+    };
+    [mix(4.01, 3.5), mix(third, 6.5)]
 }
 
 /// The stock that the bar of MIDI `key` is cut from.

@@ -33,7 +33,7 @@ const UPPER: f64 = 10.0;
 
 /// The search goes on until the pitch and the upper modes are off by these fractions of the
 /// tolerance.
-const MARGIN: [f64; 2] = [0.1, 0.05];
+const MARGIN: [f64; 2] = [0.1, 1.0];
 
 /// Largest step in the logarithm of a dimension: the beam's equations are only nearly linear.
 const LARGEST_STEP: f64 = 0.3;
