@@ -31,7 +31,8 @@ const HIGHEST_FAR_KEY: u8 = 69;
 /// Frequencies of the second and third bending modes as multiples of the first.
 ///
 /// 4.01 and 10.17 (10.173 up to A4, where real bars lie farther out) up to F5, then falling by equal
-/// M55 and Ross sets do (wyndorps.de, E_DIY_01); 3.5 and 6.5 above. Makers name 4 and 10; the bars of
+/// steps a key to 3.5 and 6.5 at F6, as bars of Musser M55 and Ross sets do
+/// (wyndorps.de, E_DIY_01); 3.5 and 6.5 above. Makers name 4 and 10; the bars of
 /// those sets have 4 and up to 11, recorded bars 3.98 to 4.06 and 10.13 to 10.33: this is the side
 /// of the makers' figures on which real bars lie.
 #[must_use]

@@ -128,7 +128,7 @@ impl Host {
             },
             |_| MainThread,
             &entry,
-            &id.to_owned(),
+            id,
             &info,
         )
         .unwrap();
