@@ -90,7 +90,8 @@ def main():
     check("finite", bool(np.isfinite(audio).all()), f"peak {db(np.abs(audio).max()):.1f} dBFS")
     check("silent before the note", level(audio, 0, 0.09) == 0, level(audio, 0, 0.09))
     check("sounds", level(audio, 0.1, 0.5) > 1e-3, f"{db(level(audio, 0.1, 0.5)):.1f} dBFS")
-    check("rings on", level(audio, 1.5, 2.0) > 1e-4, f"{db(level(audio, 1.5, 2.0)):.1f} dBFS")
+    # A hand on it since the key came up would have left less than -150 dBFS.
+    check("rings on", level(audio, 1.5, 2.0) > 1e-5, f"{db(level(audio, 1.5, 2.0)):.1f} dBFS")
     hz = loudest_hz(audio)
     check("has a partial where it is loudest", 200 < hz < 20_000, f"{hz:.1f} Hz")
 
