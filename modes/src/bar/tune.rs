@@ -132,7 +132,7 @@ pub fn retune_bar(
 ///
 /// A Timoshenko beam of the bar's sections is tuned first, by Newton's method on the logarithms of
 /// the arch's dimensions; then solid bars are, starting from it with the beam's derivatives, which
-/// each step improves (Broyden 1965).
+/// each step improves.
 ///
 /// # Errors
 ///
@@ -206,12 +206,10 @@ fn tune_beam(
         if worst(cents) < BEAM_CENTS {
             break;
         }
-        let Some(step) = solved(&slopes, cents) else {
+        let Some(next) = next(turn, x, cents, &slopes) else {
             break;
         };
-        let length = step.iter().fold(0.0f64, |max, s| max.max(s.abs()));
-        let share = (LARGEST_STEP / length).min(1.0);
-        x = turn.clamp([0, 1, 2].map(|i| x[i] - share * step[i]));
+        x = next;
         cents = cents_off(x)?;
     }
     Ok(best.expect("at least one step"))
@@ -226,6 +224,29 @@ fn beam_cents(
     x: [f64; 3],
 ) -> Result<[f64; 3], SolveError> {
     Ok(cents(beam_hz(&turn.bar(stock, x), material)?, tuning))
+}
+
+/// Where the straight line of `slopes` through `cents` at `x` comes to nothing, or as far towards it as
+/// the line is to be trusted; `None` if there is none.
+fn next(turn: Turn, x: [f64; 3], cents: [f64; 3], slopes: &[[f64; 3]; 3]) -> Option<[f64; 3]> {
+    let step = solved(slopes, cents)?;
+    let length = step.iter().fold(0.0f64, |max, s| max.max(s.abs()));
+    let share = (LARGEST_STEP / length).min(1.0);
+    Some(turn.clamp([0, 1, 2].map(|i| x[i] - share * step[i])))
+}
+
+/// Turns `slopes` until they foresee `change` where `moved` leads (Broyden 1965).
+fn improve(slopes: &mut [[f64; 3]; 3], moved: [f64; 3], change: [f64; 3]) {
+    let square: f64 = moved.iter().map(|m| m * m).sum();
+    if square == 0.0 {
+        return;
+    }
+    for (row, change) in slopes.iter_mut().zip(change) {
+        let foreseen: f64 = row.iter().zip(moved).map(|(slope, m)| slope * m).sum();
+        for (slope, m) in row.iter_mut().zip(moved) {
+            *slope += (change - foreseen) * m / square;
+        }
+    }
 }
 
 /// Derivatives of `cents_off` (rows) at `x`, where it is `cents`.
@@ -269,17 +290,21 @@ fn tune_solid(
             if within(cents, MARGIN.map(|share| share * tuning.tolerance_cents)) {
                 break;
             }
-            let Some(step) = solved(&slopes, cents) else {
+            let Some(next) = next(turn, x, cents, &slopes) else {
                 break;
             };
-            x = turn.clamp([0, 1, 2].map(|i| x[i] - step[i]));
-            cents = cents_off(x)?;
-            // What the straight line did not foresee is what is left.
-            let square: f64 = step.iter().map(|s| s * s).sum();
-            for row in 0..3 {
-                for column in 0..3 {
-                    slopes[row][column] -= cents[row] * step[column] / square;
-                }
+            let moved = [0, 1, 2].map(|i| next[i] - x[i]);
+            let next_cents = cents_off(next)?;
+            improve(
+                &mut slopes,
+                moved,
+                [0, 1, 2].map(|i| next_cents[i] - cents[i]),
+            );
+            if worst(next_cents) < 2.0 * worst(cents) {
+                (x, cents) = (next, next_cents);
+            } else {
+                // So far off, the line is better drawn anew than mended.
+                slopes = self::slopes(cents_off, x, cents)?;
             }
         }
     }

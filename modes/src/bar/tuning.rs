@@ -13,6 +13,18 @@ pub struct BarStock {
     pub thickness_m: f64,
 }
 
+impl BarStock {
+    /// The same stock with all its dimensions times `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            length_m: factor * self.length_m,
+            width_m: factor * self.width_m,
+            thickness_m: factor * self.thickness_m,
+        }
+    }
+}
+
 /// What a bar is to be tuned to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BarTuning {

@@ -31,6 +31,9 @@ enum Shape<'a> {
 /// to a cent where one leaves four.
 const BAR_CELLS: [usize; 2] = [3, 2];
 
+/// Pitch of key 69, in Hz, for which a vibraphone's stock is measured.
+const STOCK_A4_HZ: f64 = 440.0;
+
 /// Halvings by which ratios within reach are looked for.
 const RATIO_STEPS: usize = 6;
 
@@ -161,7 +164,9 @@ impl<'a> Maker<'a> {
             ratios,
             tolerance_cents: self.recipe.tuning.tolerance_cents,
         };
-        let (stock, material) = (vibraphone_stock(key), &self.recipe.material);
+        // At another pitch the same drawing at another size: all stock has its key's partials.
+        let stock = vibraphone_stock(key).scaled(STOCK_A4_HZ / self.recipe.tuning.a4_hz);
+        let material = &self.recipe.material;
         Ok(tune_bar(&stock, material, self.bar_fineness(1), &tuning)?.bar)
     }
 

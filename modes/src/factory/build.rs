@@ -162,6 +162,20 @@ mod tests {
         );
     }
 
+    #[test]
+    fn bars_can_be_cut_to_any_pitch_of_a4() {
+        let text = Recipe::FACTORY[1]
+            .1
+            .replace("low = 36", "low = 80")
+            .replace("high = 96", "high = 80");
+        for a4_hz in ["300.0", "466.0", "600.0"] {
+            let text = text.replace("a4_hz = 440.0", &format!("a4_hz = {a4_hz}"));
+            let recipe = Recipe::parse(&text, "test.toml").unwrap();
+            let bank = build(&recipe, &Silent).unwrap();
+            assert!(bank.bodies[0].modes.len() > 3, "{a4_hz}");
+        }
+    }
+
     /// The vibraphone with one key and the ratios that `[second, third]` say.
     fn one_bar([second, third]: [&str; 2]) -> Recipe {
         let ratios = format!("shape = \"bar\"\nsecond_ratio = {second}\nthird_ratio = {third}");
