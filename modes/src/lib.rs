@@ -4,6 +4,7 @@
 //! turn each into natural frequencies and mode shapes; a [`Bank`] carries
 //! them to whoever makes them sound.
 
+#[cfg(feature = "solve")]
 pub mod analytic;
 mod bank;
 #[cfg(feature = "solve")]
