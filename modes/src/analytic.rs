@@ -4,6 +4,7 @@ mod bessel;
 mod circular_membrane;
 mod circular_plate;
 mod closed_mode;
+mod impact;
 mod l_membrane;
 #[cfg(test)]
 mod overlaps;
@@ -18,6 +19,7 @@ mod timoshenko;
 pub use circular_membrane::{CircularMembrane, CircularMode, bessel_zeros};
 pub use circular_plate::{ClampedPlate, PlateMode, clamped_plate_roots};
 pub use closed_mode::ClosedMode;
+pub use impact::{Struck, impact, square_1998};
 pub use l_membrane::{LMembrane, LMode, LSpectrum};
 pub use rectangular_membrane::{RectangularMembrane, RectangularMode};
 pub use rigid_bar::{BarEnds, BarMode, RigidBar};

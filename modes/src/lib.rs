@@ -37,6 +37,7 @@ pub mod shape;
 pub mod solve;
 #[cfg(feature = "solve")]
 mod solved;
+pub mod sound_map;
 mod strike_line;
 #[cfg(feature = "solve")]
 pub mod tube;
