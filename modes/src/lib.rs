@@ -25,6 +25,7 @@ mod material;
 mod materials;
 #[cfg(feature = "solve")]
 pub mod mesh;
+mod mode_shape;
 mod obrien_2002;
 #[cfg(feature = "solve")]
 pub mod radiation;
@@ -38,18 +39,22 @@ pub mod solve;
 #[cfg(feature = "solve")]
 mod solved;
 pub mod sound_map;
-mod strike_line;
+mod strike;
 #[cfg(feature = "solve")]
 pub mod tube;
 pub mod tuning;
 
-pub use bank::{Bank, BankError, BankFileError, Body, Ears, Mode, Provenance};
+pub use bank::{
+    Bank, BankError, BankFileError, Body, Ears, Mode, Provenance, Spread, SpreadRule, Surface,
+    SurfaceMotion, Zone,
+};
 pub use code::CODE;
 pub use damping::{Damping, Motion, Rayleigh, t60_s};
 pub use equal_temperament::equal_temperament_hz;
 pub use label::{Family, Member, ModeLabel};
 pub use material::{Material, MaterialError};
 pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
+pub use mode_shape::ModeShape;
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
@@ -60,6 +65,6 @@ pub use recipe::{
 pub use solve::SolveError;
 #[cfg(feature = "solve")]
 pub use solved::{SolvedBody, SolvedMode};
-pub use strike_line::{Stencil, StrikeLine};
+pub use strike::{Across, Spot, Stencil, StrikeGrid, StrikeLine};
 #[cfg(feature = "solve")]
 pub use tube::TuneError;

@@ -101,6 +101,7 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
             max_orthonormality_error: greatest(|f| f.orthonormality),
         },
         bodies: finished.into_iter().map(|f| f.body).collect(),
+        spread: None,
     })
 }
 

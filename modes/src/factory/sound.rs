@@ -52,7 +52,7 @@ pub(super) fn sounding(
                 pipe_per_s: pipe_per_s as f32,
                 residual: mode.residual,
                 label: mode.label,
-                shape: mode.shape,
+                shape: mode.shape.into(),
             }
         })
         .collect();
@@ -62,6 +62,7 @@ pub(super) fn sounding(
         length_m: solved.length_m,
         mass_kg: solved.mass_kg,
         line: solved.line,
+        surface: None,
         modes,
     }
 }

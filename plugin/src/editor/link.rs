@@ -23,8 +23,10 @@ pub enum Touch {
         key: u8,
         /// How hard, 0…1.
         velocity: f32,
-        /// Where on its line, 0…1.
+        /// Where along it, 0…1.
         position: f32,
+        /// Where across it, 0…1.
+        across: f32,
     },
     /// The hand leaves the key.
     Release {

@@ -90,11 +90,12 @@ fn describe(ui: &Ui, header: Rect, scene: &Scene<'_>, told: Option<&Line>) {
 }
 
 fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
-    let position = scene.settings.strike_position;
+    let settings = &scene.settings;
+    let place = [settings.strike_position, settings.strike_across];
     let partials = &scene.shown.partials;
     let levels: Vec<f64> = partials
         .iter()
-        .map(|partial| partial.level(position, scene.contact_s))
+        .map(|partial| partial.level(place, scene.contact_s))
         .collect();
     let most = levels
         .iter()

@@ -177,7 +177,7 @@ impl Ui {
         let side = Rect::from_min_size(inner.min, vec2(44.0, inner.height()));
         strip(ui, side, &mut self.row.velocity, theme);
         let area = Rect::from_min_max(pos2(side.right() + APART, inner.top()), inner.max);
-        let position = self.param("pos");
+        let [position, across] = ["pos", "acrs"].map(|id| self.param(id));
         let stage = Stage {
             bank: factory::bank(instrument),
             frame: if self.frame.instrument == instrument {
@@ -188,6 +188,7 @@ impl Ui {
             link: &self.link,
             theme,
             position: position.as_ref(),
+            across: across.as_ref(),
             setter,
         };
         self.row.show(ui, area, &stage, &mut self.hands.hold)

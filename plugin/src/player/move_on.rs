@@ -82,6 +82,7 @@ impl Player {
                 touch.velocity
             },
             position: touch.position + strike.moved(touch.position_modulation),
+            across: 0.0,
             hardness_decades: touch.hardness_decades + mallet.harder(touch.hardness_modulation),
             mass_octaves: touch.mass_octaves,
         }

@@ -32,6 +32,7 @@ fn strikes(touches: &[Touch]) -> Vec<(u8, f32, f32)> {
             key,
             velocity,
             position,
+            ..
         } => Some((key, velocity, position)),
         Touch::Release { .. } => None,
     };

@@ -1,5 +1,6 @@
 //! The engine against closed forms, and against itself.
 
+mod across;
 mod hands;
 mod motor;
 mod partials;

@@ -196,18 +196,16 @@ mod tests {
             pipe_per_s: 0.125,
             residual: 1e-12,
             label,
-            shape: Vec::new(),
+            shape: Vec::new().into(),
         };
-        let line = StrikeLine {
-            points_m: Vec::new(),
-            normals: Vec::new(),
-        };
+        let line = StrikeLine::single(Vec::new(), Vec::new());
         let body = Body {
             key: 74,
             pitch_hz: 587.33,
             length_m: 0.505,
             mass_kg: 0.2,
             line,
+            surface: None,
             modes: vec![mode],
         };
         modes::Bank {
@@ -224,6 +222,7 @@ mod tests {
             },
             provenance: modes::Provenance::default(),
             bodies: vec![body],
+            spread: None,
         }
     }
 

@@ -13,6 +13,7 @@ use super::grips;
 use super::oscillators::{LANES, Pack, Step, Tone};
 use super::source::{Hearing, Reached, Source, reached};
 use super::sympathy::Strand;
+use modes::StrikeGrid;
 use pushed::MALLETS;
 use std::ops::Range;
 
@@ -39,7 +40,7 @@ pub(crate) struct Body {
     piped: usize,
     /// φ·n̂ in kg^(−1/2), point by point and mode by mode.
     normal: Vec<f32>,
-    points: usize,
+    grid: StrikeGrid,
     mallets: [Contact; MALLETS],
     rub: Rub,
     /// How its lowest modes hang on the common support.
@@ -86,7 +87,7 @@ impl Body {
             tones,
             sources,
             normal,
-            points,
+            grid: body.line.grid(),
             mallets: std::array::from_fn(|_| Contact::new(packs)),
             strand,
             rub: grips::bow(&modes, body.line.points_m[0]),

@@ -1,14 +1,17 @@
 //! What can be seen of an engine while it plays.
 
 use super::{Body, Engine, keys};
+use crate::engine::touch::Touch;
 
 /// The last blow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Struck {
     /// Whose body.
     pub key: u8,
-    /// Where on its line, 0…1.
+    /// Where along it, 0…1.
     pub position: f64,
+    /// Where across it, 0…1.
+    pub across: f64,
     /// How hard, 0…1.
     pub velocity: f64,
     /// How many blows there were before; goes round.
@@ -47,10 +50,11 @@ impl Engine {
         self.struck
     }
 
-    pub(super) fn remember(&mut self, key: u8, position: f64, velocity: f64) {
+    pub(super) fn remember(&mut self, key: u8, touch: &Touch, velocity: f64) {
         self.struck = Some(Struck {
             key,
-            position,
+            position: touch.position,
+            across: touch.across,
             velocity,
             count: self.struck.map_or(0, |last| last.count.wrapping_add(1)),
         });

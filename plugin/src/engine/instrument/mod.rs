@@ -130,7 +130,7 @@ impl Engine {
             .iter()
             .filter(|body| {
                 body.key < 128
-                    && body.line.len() >= Stencil::POINTS
+                    && body.line.grid().columns >= Stencil::POINTS
                     && body.line.normals.len() == body.line.len()
                     && body.mass_kg > 0.0
             })

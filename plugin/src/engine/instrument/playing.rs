@@ -45,7 +45,7 @@ impl Engine {
         self.choked &= !bit(key);
         self.stale |= bit(key);
         let touch = Touch::new(&self.settings, &hit, chance(key, self.position));
-        self.remember(key, touch.position, hit.velocity);
+        self.remember(key, &touch, hit.velocity);
         let hand = &mut self.hands[usize::from(key)];
         hand.hold.felt = 0.0;
         if self.settings.bow.rubs {
