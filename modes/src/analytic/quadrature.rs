@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 /// Abscissae and weights of Gauss's rule of `points` points on 0…1: exact for polynomials of degree
 /// 2 `points` − 1 (DLMF §3.5(v)).
-pub(super) fn gauss(points: usize) -> Vec<(f64, f64)> {
+pub(crate) fn gauss(points: usize) -> Vec<(f64, f64)> {
     let n = points as f64;
     (0..points)
         .map(|i| {

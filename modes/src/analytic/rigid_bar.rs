@@ -1,19 +1,9 @@
 //! The thin bar of Euler and Bernoulli (van den Doel & Pai 1998, §6.2, Eq. 14).
 
 use super::ClosedMode;
+use crate::shape::BarEnds;
 use crate::{Family, Member, ModeLabel};
 use std::f64::consts::{PI, TAU};
-
-/// How a bar's ends are held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BarEnds {
-    /// Both held firmly: neither moves nor turns.
-    Clamped,
-    /// Neither held.
-    Free,
-    /// The first held firmly, the other free.
-    Cantilever,
-}
 
 /// A uniform bar so thin that neither shear nor rotary inertia matter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,6 +93,34 @@ impl RigidBar {
     }
 }
 
+impl BarMode {
+    /// Force in N with which a unit displacement of the mode pushes what clamps the first end: E I φ‴
+    /// there, 2σβ³ E I/√m, in size; 0 if that end is free.
+    #[must_use]
+    pub fn end_force_n(&self) -> f64 {
+        if self.bar.ends == BarEnds::Free {
+            return 0.0;
+        }
+        let beta_per_m = self.root / self.bar.length_m;
+        let (sigma, _) = self.sigma();
+        2.0 * sigma * beta_per_m.powi(3) * self.bar.bending_n_m2 / self.bar.mass_kg().sqrt()
+    }
+
+    /// σ = (cosh βL ± cos βL)/(sinh βL ± sin βL), and (1 − σ) e^(βL).
+    fn sigma(&self) -> (f64, f64) {
+        let sign = match self.bar.ends {
+            BarEnds::Clamped | BarEnds::Free => -1.0,
+            BarEnds::Cantilever => 1.0,
+        };
+        let (sin, cos) = self.root.sin_cos();
+        let fall = (-self.root).exp();
+        // e^(−βL) (sinh βL ± sin βL).
+        let below = 0.5 * (1.0 - fall * fall) + sign * sin * fall;
+        let rest = (sign * (sin - cos) - fall) / below;
+        (1.0 - rest * fall, rest)
+    }
+}
+
 impl ClosedMode for BarMode {
     fn hz(&self) -> f64 {
         self.bar.hz_at(self.root)
@@ -112,19 +130,12 @@ impl ClosedMode for BarMode {
     /// 8-1), over √m; the growing exponentials are taken together, so that none overflows.
     fn displacement(&self, [x_m, _]: [f64; 2]) -> f64 {
         let (root, share) = (self.root, x_m / self.bar.length_m);
-        let (sin, cos) = root.sin_cos();
-        let fall = (-root).exp();
-        // Signs of sin and cos in σ's denominator and in the shape.
-        let (sign, held) = match self.bar.ends {
-            BarEnds::Clamped => (-1.0, -1.0),
-            BarEnds::Free => (-1.0, 1.0),
-            BarEnds::Cantilever => (1.0, -1.0),
+        // Signs of cos and sin in the shape.
+        let held = match self.bar.ends {
+            BarEnds::Clamped | BarEnds::Cantilever => -1.0,
+            BarEnds::Free => 1.0,
         };
-        // e^(−βL) (sinh βL ± sin βL).
-        let below = 0.5 * (1.0 - fall * fall) + sign * sin * fall;
-        // (1 − σ) e^(βL), with σ = (cosh βL ± cos βL)/(sinh βL ± sin βL).
-        let rest = (sign * (sin - cos) - fall) / below;
-        let sigma = 1.0 - rest * fall;
+        let (sigma, rest) = self.sigma();
         let growing = 0.5 * rest * (root * (share - 1.0)).exp();
         let dying = 0.5 * (1.0 + sigma) * (-root * share).exp();
         let (sin_x, cos_x) = (root * share).sin_cos();
@@ -224,6 +235,24 @@ mod tests {
                     assert!((found - end(held)).abs() < 1e-12 * full, "{ends:?}");
                 }
             }
+        }
+    }
+
+    /// What the clamps push balances the inertia of an even mode: 2F = ω² m/L ∫φ dx.
+    #[test]
+    fn end_forces_balance_inertia() {
+        for (ends, clamps) in [(BarEnds::Clamped, 2.0), (BarEnds::Cantilever, 1.0)] {
+            let bar = bar(ends);
+            let mode = bar.modes(bar.hz(5))[2];
+            let mean: f64 = gauss(60)
+                .iter()
+                .map(|(x, weight)| weight * mode.displacement([x * bar.length_m, 0.0]))
+                .sum();
+            let inertia = (TAU * mode.hz()).powi(2) * bar.mass_kg() * mean.abs();
+            assert!(
+                (clamps * mode.end_force_n() / inertia - 1.0).abs() < 1e-10,
+                "{ends:?}"
+            );
         }
     }
 }
