@@ -30,7 +30,7 @@ const DRAWN: [usize; 2] = [32, 24];
 const BAR_STRUCK: f64 = 0.3;
 
 /// Most modes of a body: what grids of strike points may weigh.
-const MOST_MODES: usize = 100;
+const MOST_MODES: usize = 70;
 
 /// The bank of `recipe`, whose shape is `shape`.
 pub(super) fn bank(recipe: &Recipe, shape: &ClosedShape) -> Result<Bank, BuildError> {
