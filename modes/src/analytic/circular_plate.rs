@@ -151,12 +151,13 @@ mod tests {
             }
             sum
         };
-        for order in 0..6 {
+        for whole in 0..6u16 {
+            let order = i32::from(whole);
             let rim = |x: f64| {
                 libm::jn(order, x) * modified(order + 1, x)
                     + modified(order, x) * libm::jn(order + 1, x)
             };
-            for root in clamped_plate_roots(order as u16, 20.0) {
+            for root in clamped_plate_roots(whole, 20.0) {
                 assert!(rim(root * (1.0 - 1e-9)) * rim(root * (1.0 + 1e-9)) < 0.0);
             }
         }

@@ -24,7 +24,7 @@ pub(super) fn worst_overlap<M: ClosedMode>(
         }
     }
     let identity = |at: usize| {
-        if at % (modes.len() + 1) == 0 {
+        if at.is_multiple_of(modes.len() + 1) {
             1.0
         } else {
             0.0

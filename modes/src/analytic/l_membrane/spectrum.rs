@@ -168,13 +168,16 @@ fn least(waves: &Waves, root: f64, points: &[[f64; 2]]) -> SmallestAngle {
     smallest_angle(&values, points.len(), 2 * EDGE_POINTS)
 }
 
+/// A point (s, t) on a side, by its share of the way.
+type Side = fn(f64) -> [f64; 2];
+
 /// The mode with ∫u² = 1, by Rellich's identity: 2κ² ∫u² = ∮ (∂u/∂n)² x·n ds (Rellich 1940,
 /// Mathematische Zeitschrift 46, p. 635). With the inner corner as origin x·n is 1 on the outer edge
 /// and 0 on the two inner sides, and of the outer edge the diagonal leaves one half.
 fn normalised(waves: Waves, root: f64, found: SmallestAngle) -> UnitMode {
     let rule = gauss(EDGE_POINTS);
     // Side, and the axis across it: s = 1, t = 1 of the first outer square, t = 1 of the middle one.
-    let sides: [(fn(f64) -> [f64; 2], usize); 3] = [
+    let sides: [(Side, usize); 3] = [
         (|at| [1.0, at], 0),
         (|at| [at, 1.0], 1),
         (|at| [-at, 1.0], 1),
