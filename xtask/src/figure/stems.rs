@@ -83,13 +83,13 @@ impl Axes {
         }
         let at = [(LEFT + RIGHT) / 2, BOTTOM + 36];
         canvas.write("frequency in Hz", NAME, FAINT, at, below)?;
-        let at = [LEFT - 10, TOP - 22];
+        let at = [RIGHT, TOP - 22];
         canvas.write(
             "amplitude, of the loudest",
             NAME,
             FAINT,
             at,
-            (HPos::Left, VPos::Center),
+            (HPos::Right, VPos::Center),
         )
     }
 }
