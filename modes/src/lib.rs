@@ -19,6 +19,8 @@ pub mod factory;
 pub mod fem;
 #[cfg(any(feature = "solve", test))]
 mod fnv;
+#[cfg(feature = "solve")]
+pub mod freeform;
 mod label;
 mod material;
 mod materials;

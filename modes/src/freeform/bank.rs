@@ -1,0 +1,205 @@
+//! From a mesh to an instrument: one body, heard from the listener's place, spread over keys.
+
+use super::body::{FreeBody, free_body};
+use super::solve::Limits;
+use crate::factory::{ears_m, sounding};
+use crate::fem::{TetMass, assemble};
+use crate::mesh::Mesh;
+use crate::solve::{Watch, lowest_of};
+use crate::{
+    Bank, Body, CODE, Damping, ListenerRecipe, LossRecipe, Material, Provenance, SolveError,
+    Spread, SpreadRule, Zone, equal_temperament_hz,
+};
+use std::sync::Arc;
+
+/// What to make of a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeBuild {
+    /// Name of the instrument, fit for a file.
+    pub name: String,
+    /// Name of the instrument for people.
+    pub title: String,
+    /// What the body is made of.
+    pub material: Material,
+    /// Inner damping of the material.
+    pub damping: Damping,
+    /// What supports and felt take.
+    pub losses: LossRecipe,
+    /// Where the listener is.
+    pub listener: ListenerRecipe,
+    /// The keys that the body is for.
+    pub keys: FreeKeys,
+    /// Which modes are kept: up to what frequency on any key, and how many.
+    pub limits: Limits,
+    /// Where the mesh comes from, in words, for the bank's provenance.
+    pub origin: String,
+}
+
+/// Keys of one body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeKeys {
+    /// Lowest key.
+    pub low: u8,
+    /// Highest key.
+    pub high: u8,
+    /// What changes from key to key.
+    pub rule: SpreadRule,
+    /// Pitch of key 69, in Hz.
+    pub a4_hz: f64,
+    /// The mode that carries the pitch.
+    pub tuned: TunedMode,
+}
+
+/// Which mode carries the pitch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TunedMode {
+    /// The lowest.
+    Lowest,
+    /// The one that a blow where it moves most makes loudest.
+    Loudest,
+    /// This one, counted from 1 by rising frequency.
+    Number(u32),
+}
+
+/// Why a mesh gave no bank.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FreeError {
+    /// Its modes cannot be found.
+    #[error("the mesh cannot be solved: {0}")]
+    Solve(#[from] SolveError),
+    /// It has no mode that people hear.
+    #[error(
+        "the body has no mode below {highest_hz:.0} Hz; make it larger, thinner or of a softer \
+         material"
+    )]
+    Silent {
+        /// Highest frequency looked for, in Hz.
+        highest_hz: f64,
+    },
+    /// The mode to tune is not there.
+    #[error("mode {number} is to be tuned, but {found} were found; choose a lower one")]
+    NoSuchMode {
+        /// The number asked for, from 1.
+        number: u32,
+        /// Modes found.
+        found: usize,
+    },
+}
+
+/// The bank of a body of any shape: one body, and how it is given to keys.
+///
+/// The body is solved as it is; modes are found as high as the lowest key needs them.
+///
+/// # Errors
+///
+/// [`FreeError`], with [`SolveError::Cancelled`] in it when `watch` says so.
+pub fn free_bank(build: &FreeBuild, mesh: &Mesh, watch: &dyn Watch) -> Result<Bank, FreeError> {
+    let limits = Limits {
+        highest_hz: highest_hz(build, mesh)?,
+        ..build.limits
+    };
+    let free = free_body(mesh, &build.material, limits, watch)?;
+    let residuals = free.solved.modes.iter().map(|mode| mode.residual);
+    let provenance = Provenance {
+        recipe: build.origin.clone(),
+        code: CODE.to_owned(),
+        mesh: format!(
+            "10-node tetrahedra, curved: {} elements, {} nodes",
+            free.elements, free.nodes
+        ),
+        solver: "shift-invert block Lanczos, inertia counts".into(),
+        tolerance_cents: 0.0,
+        max_residual: residuals.fold(0.0, f64::max),
+        max_orthonormality_error: free.solved.orthonormality,
+    };
+    let (body, tuned) = tuned_body(build, free, limits.highest_hz)?;
+    Ok(Bank {
+        name: build.name.clone(),
+        title: build.title.clone(),
+        material: build.material,
+        damping: build.damping,
+        ears_m: ears_m(&build.listener),
+        provenance,
+        spread: Some(Spread {
+            rule: build.keys.rule,
+            a4_hz: build.keys.a4_hz,
+            zones: vec![Zone {
+                low: build.keys.low,
+                high: build.keys.high,
+                tuned,
+            }],
+        }),
+        bodies: vec![body],
+    })
+}
+
+/// Highest frequency in Hz of the body as it is that is heard on its lowest key.
+fn highest_hz(build: &FreeBuild, mesh: &Mesh) -> Result<f64, SolveError> {
+    let keys = &build.keys;
+    if keys.rule == SpreadRule::Fixed {
+        return Ok(build.limits.highest_hz);
+    }
+    let number = match keys.tuned {
+        TunedMode::Number(number) => (number as usize).clamp(1, build.limits.most.max(1)),
+        TunedMode::Lowest | TunedMode::Loudest => 1,
+    };
+    let pencil = assemble(mesh, &build.material, TetMass::Consistent)?;
+    let own_hz = lowest_of(&pencil, number)?[number - 1];
+    Ok(build.limits.highest_hz * own_hz / equal_temperament_hz(keys.low, keys.a4_hz))
+}
+
+/// The body at the key nearest to its own pitch, and which of its modes carries that, from 0.
+fn tuned_body(
+    build: &FreeBuild,
+    free: FreeBody,
+    highest_hz: f64,
+) -> Result<(Body, u32), FreeError> {
+    let found = free.solved.modes.len();
+    if found == 0 {
+        return Err(FreeError::Silent { highest_hz });
+    }
+    let keys = &build.keys;
+    // The row has but this body, in the middle.
+    let middle = 0.5;
+    let mut body = sounding(
+        free.solved,
+        (keys.low, 1.0),
+        middle,
+        &build.listener,
+        &build.losses,
+        None,
+    );
+    let tuned = match keys.tuned {
+        TunedMode::Lowest => 0,
+        TunedMode::Loudest => loudest(&body),
+        TunedMode::Number(number) if (1..=found).contains(&(number as usize)) => number - 1,
+        TunedMode::Number(number) => return Err(FreeError::NoSuchMode { number, found }),
+    };
+    let own_hz = body.modes[tuned as usize].hz;
+    let cents = |key: &u8| {
+        (own_hz / equal_temperament_hz(*key, keys.a4_hz))
+            .log2()
+            .abs()
+    };
+    let nearest = (keys.low..=keys.high).min_by(|p, q| cents(p).total_cmp(&cents(q)));
+    body.key = nearest.unwrap_or(keys.low);
+    body.pitch_hz = own_hz;
+    body.surface = Some(Arc::new(free.surface));
+    Ok((body, tuned))
+}
+
+/// Which mode, counted from 0, has the most pressure at the ears for an impulse where it moves most.
+fn loudest(body: &Body) -> u32 {
+    let level = |mode: &crate::Mode| {
+        let spots = mode.shape.iter().zip(&body.line.normals);
+        let reach = spots.map(|(u, n)| (0..3).map(|a| f64::from(u[a]) * n[a]).sum::<f64>().abs());
+        let ears = mode
+            .ears
+            .iter()
+            .map(|[re, im]| f64::from(*re).hypot(f64::from(*im)));
+        reach.fold(0.0, f64::max) * ears.fold(0.0, f64::max) / mode.hz
+    };
+    let levels = (0u32..).zip(body.modes.iter().map(level));
+    let best = levels.max_by(|(_, p), (_, q)| p.total_cmp(q));
+    best.map_or(0, |(mode, _)| mode)
+}
