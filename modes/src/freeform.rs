@@ -11,6 +11,6 @@ mod solve;
 #[cfg(test)]
 mod tests;
 
-pub use bank::{FreeBuild, FreeError, FreeKeys, TunedMode, free_bank};
+pub use bank::{FreeError, free_bank};
 pub use body::{FreeBody, free_body};
 pub use solve::Limits;

@@ -58,8 +58,9 @@ pub use mode_shape::ModeShape;
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
-    ImperfectionRecipe, ImperfectionSize, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe,
-    RecipeError, RecipeFileError, ResonatorRecipe, ShapeRecipe, TuningRecipe,
+    FreeFineness, FreeRecipe, FreeTuning, ImperfectionRecipe, ImperfectionSize, KeyRange,
+    ListenerRecipe, LossRecipe, MeshRecipe, MeshShape, Recipe, RecipeError, RecipeFileError,
+    ResonatorRecipe, ShapeRecipe, TunedMode, TuningRecipe,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;

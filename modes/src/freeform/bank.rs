@@ -7,59 +7,10 @@ use crate::fem::{TetMass, assemble};
 use crate::mesh::Mesh;
 use crate::solve::{Watch, lowest_of};
 use crate::{
-    Bank, Body, CODE, Damping, ListenerRecipe, LossRecipe, Material, Provenance, SolveError,
-    Spread, SpreadRule, Zone, equal_temperament_hz,
+    Bank, Body, CODE, FreeRecipe, Provenance, SolveError, Spread, SpreadRule, TunedMode, Zone,
+    equal_temperament_hz,
 };
 use std::sync::Arc;
-
-/// What to make of a mesh.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FreeBuild {
-    /// Name of the instrument, fit for a file.
-    pub name: String,
-    /// Name of the instrument for people.
-    pub title: String,
-    /// What the body is made of.
-    pub material: Material,
-    /// Inner damping of the material.
-    pub damping: Damping,
-    /// What supports and felt take.
-    pub losses: LossRecipe,
-    /// Where the listener is.
-    pub listener: ListenerRecipe,
-    /// The keys that the body is for.
-    pub keys: FreeKeys,
-    /// Which modes are kept: up to what frequency on any key, and how many.
-    pub limits: Limits,
-    /// Where the mesh comes from, in words, for the bank's provenance.
-    pub origin: String,
-}
-
-/// Keys of one body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FreeKeys {
-    /// Lowest key.
-    pub low: u8,
-    /// Highest key.
-    pub high: u8,
-    /// What changes from key to key.
-    pub rule: SpreadRule,
-    /// Pitch of key 69, in Hz.
-    pub a4_hz: f64,
-    /// The mode that carries the pitch.
-    pub tuned: TunedMode,
-}
-
-/// Which mode carries the pitch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TunedMode {
-    /// The lowest.
-    Lowest,
-    /// The one that a blow where it moves most makes loudest.
-    Loudest,
-    /// This one, counted from 1 by rising frequency.
-    Number(u32),
-}
 
 /// Why a mesh gave no bank.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -93,15 +44,15 @@ pub enum FreeError {
 /// # Errors
 ///
 /// [`FreeError`], with [`SolveError::Cancelled`] in it when `watch` says so.
-pub fn free_bank(build: &FreeBuild, mesh: &Mesh, watch: &dyn Watch) -> Result<Bank, FreeError> {
+pub fn free_bank(recipe: &FreeRecipe, mesh: &Mesh, watch: &dyn Watch) -> Result<Bank, FreeError> {
     let limits = Limits {
-        highest_hz: highest_hz(build, mesh)?,
-        ..build.limits
+        highest_hz: highest_hz(recipe, mesh)?,
+        most: recipe.fineness.most_modes,
     };
-    let free = free_body(mesh, &build.material, limits, watch)?;
+    let free = free_body(mesh, &recipe.material, limits, watch)?;
     let residuals = free.solved.modes.iter().map(|mode| mode.residual);
     let provenance = Provenance {
-        recipe: build.origin.clone(),
+        recipe: recipe.text.clone(),
         code: CODE.to_owned(),
         mesh: format!(
             "10-node tetrahedra, curved: {} elements, {} nodes",
@@ -112,20 +63,20 @@ pub fn free_bank(build: &FreeBuild, mesh: &Mesh, watch: &dyn Watch) -> Result<Ba
         max_residual: residuals.fold(0.0, f64::max),
         max_orthonormality_error: free.solved.orthonormality,
     };
-    let (body, tuned) = tuned_body(build, free, limits.highest_hz)?;
+    let (body, tuned) = tuned_body(recipe, free, limits.highest_hz)?;
     Ok(Bank {
-        name: build.name.clone(),
-        title: build.title.clone(),
-        material: build.material,
-        damping: build.damping,
-        ears_m: ears_m(&build.listener),
+        name: recipe.name.clone(),
+        title: recipe.title.clone(),
+        material: recipe.material,
+        damping: recipe.damping,
+        ears_m: ears_m(&recipe.listener),
         provenance,
         spread: Some(Spread {
-            rule: build.keys.rule,
-            a4_hz: build.keys.a4_hz,
+            rule: recipe.tuning.rule,
+            a4_hz: recipe.tuning.a4_hz,
             zones: vec![Zone {
-                low: build.keys.low,
-                high: build.keys.high,
+                low: recipe.keys.low,
+                high: recipe.keys.high,
                 tuned,
             }],
         }),
@@ -134,23 +85,23 @@ pub fn free_bank(build: &FreeBuild, mesh: &Mesh, watch: &dyn Watch) -> Result<Ba
 }
 
 /// Highest frequency in Hz of the body as it is that is heard on its lowest key.
-fn highest_hz(build: &FreeBuild, mesh: &Mesh) -> Result<f64, SolveError> {
-    let keys = &build.keys;
-    if keys.rule == SpreadRule::Fixed {
-        return Ok(build.limits.highest_hz);
+fn highest_hz(recipe: &FreeRecipe, mesh: &Mesh) -> Result<f64, SolveError> {
+    let (keys, tuning) = (recipe.keys, &recipe.tuning);
+    if tuning.rule == SpreadRule::Fixed {
+        return Ok(recipe.fineness.highest_hz);
     }
-    let number = match keys.tuned {
-        TunedMode::Number(number) => (number as usize).clamp(1, build.limits.most.max(1)),
+    let number = match tuning.mode {
+        TunedMode::Number(number) => (number as usize).clamp(1, recipe.fineness.most_modes),
         TunedMode::Lowest | TunedMode::Loudest => 1,
     };
-    let pencil = assemble(mesh, &build.material, TetMass::Consistent)?;
+    let pencil = assemble(mesh, &recipe.material, TetMass::Consistent)?;
     let own_hz = lowest_of(&pencil, number)?[number - 1];
-    Ok(build.limits.highest_hz * own_hz / equal_temperament_hz(keys.low, keys.a4_hz))
+    Ok(recipe.fineness.highest_hz * own_hz / equal_temperament_hz(keys.low, tuning.a4_hz))
 }
 
 /// The body at the key nearest to its own pitch, and which of its modes carries that, from 0.
 fn tuned_body(
-    build: &FreeBuild,
+    recipe: &FreeRecipe,
     free: FreeBody,
     highest_hz: f64,
 ) -> Result<(Body, u32), FreeError> {
@@ -158,18 +109,18 @@ fn tuned_body(
     if found == 0 {
         return Err(FreeError::Silent { highest_hz });
     }
-    let keys = &build.keys;
+    let (keys, tuning) = (recipe.keys, &recipe.tuning);
     // The row has but this body, in the middle.
     let middle = 0.5;
     let mut body = sounding(
         free.solved,
         (keys.low, 1.0),
         middle,
-        &build.listener,
-        &build.losses,
+        &recipe.listener,
+        &recipe.losses,
         None,
     );
-    let tuned = match keys.tuned {
+    let tuned = match tuning.mode {
         TunedMode::Lowest => 0,
         TunedMode::Loudest => loudest(&body),
         TunedMode::Number(number) if (1..=found).contains(&(number as usize)) => number - 1,
@@ -177,11 +128,11 @@ fn tuned_body(
     };
     let own_hz = body.modes[tuned as usize].hz;
     let cents = |key: &u8| {
-        (own_hz / equal_temperament_hz(*key, keys.a4_hz))
+        (own_hz / equal_temperament_hz(*key, tuning.a4_hz))
             .log2()
             .abs()
     };
-    let nearest = (keys.low..=keys.high).min_by(|p, q| cents(p).total_cmp(&cents(q)));
+    let nearest = keys.iter().min_by(|p, q| cents(p).total_cmp(&cents(q)));
     body.key = nearest.unwrap_or(keys.low);
     body.pitch_hz = own_hz;
     body.surface = Some(Arc::new(free.surface));

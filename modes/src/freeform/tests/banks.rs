@@ -1,14 +1,29 @@
 //! Whole banks, and bodies solved at two sizes against their spread.
 
-use super::super::{FreeBuild, FreeError, FreeKeys, Limits, TunedMode, free_bank};
+use super::super::{FreeError, free_bank};
 use super::material;
 use crate::mesh::{Mesh, brick_tet10};
-use crate::{Bank, Body, Damping, ListenerRecipe, LossRecipe, Material, SpreadRule};
+use crate::{
+    Bank, Body, Damping, FreeFineness, FreeRecipe, FreeTuning, KeyRange, ListenerRecipe,
+    LossRecipe, Material, MeshShape, SpreadRule, TunedMode,
+};
 
-fn build(material: Material, rule: SpreadRule) -> FreeBuild {
-    FreeBuild {
+fn build(material: Material, rule: SpreadRule) -> FreeRecipe {
+    FreeRecipe {
         name: "brick".into(),
         title: "Brick".into(),
+        keys: KeyRange { low: 60, high: 96 },
+        tuning: FreeTuning {
+            rule,
+            a4_hz: 440.0,
+            mode: TunedMode::Lowest,
+        },
+        shape: MeshShape {
+            file: "brick.obj".into(),
+            object: None,
+            size_m: None,
+            wall_m: None,
+        },
         material,
         damping: Damping::default(),
         losses: LossRecipe {
@@ -20,18 +35,11 @@ fn build(material: Material, rule: SpreadRule) -> FreeBuild {
             above_m: 10.0,
             row_m: 0.0,
         },
-        keys: FreeKeys {
-            low: 60,
-            high: 96,
-            rule,
-            a4_hz: 440.0,
-            tuned: TunedMode::Lowest,
+        fineness: FreeFineness {
+            most_modes: 12,
+            ..FreeFineness::default()
         },
-        limits: Limits {
-            highest_hz: 20_000.0,
-            most: 12,
-        },
-        origin: "a brick".into(),
+        text: "a brick".into(),
     }
 }
 
@@ -152,7 +160,7 @@ fn a_bank_has_a_surface_and_comes_back_from_its_file() {
 fn the_tuned_mode_can_be_chosen() {
     let tuned = |tuned: TunedMode| {
         let mut build = build(material(), SpreadRule::Size);
-        build.keys.tuned = tuned;
+        build.tuning.mode = tuned;
         free_bank(&build, &brick(1.0), &()).map(|bank| bank.spread.unwrap().zones[0].tuned)
     };
     assert_eq!(tuned(TunedMode::Lowest), Ok(0));
