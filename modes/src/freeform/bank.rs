@@ -3,9 +3,8 @@
 use super::body::{FreeBody, free_body};
 use super::solve::Limits;
 use crate::factory::{ears_m, sounding};
-use crate::fem::{TetMass, assemble};
 use crate::mesh::Mesh;
-use crate::solve::{Watch, lowest_of};
+use crate::solve::Watch;
 use crate::{
     Bank, Body, CODE, FreeRecipe, Provenance, SolveError, Spread, SpreadRule, TunedMode, Zone,
     equal_temperament_hz,
@@ -45,11 +44,7 @@ pub enum FreeError {
 ///
 /// [`FreeError`], with [`SolveError::Cancelled`] in it when `watch` says so.
 pub fn free_bank(recipe: &FreeRecipe, mesh: &Mesh, watch: &dyn Watch) -> Result<Bank, FreeError> {
-    let limits = Limits {
-        highest_hz: highest_hz(recipe, mesh)?,
-        most: recipe.fineness.most_modes,
-    };
-    let free = free_body(mesh, &recipe.material, limits, watch)?;
+    let free = free_body(mesh, &recipe.material, limits(recipe), watch)?;
     let residuals = free.solved.modes.iter().map(|mode| mode.residual);
     let provenance = Provenance {
         recipe: recipe.text.clone(),
@@ -63,7 +58,7 @@ pub fn free_bank(recipe: &FreeRecipe, mesh: &Mesh, watch: &dyn Watch) -> Result<
         max_residual: residuals.fold(0.0, f64::max),
         max_orthonormality_error: free.solved.orthonormality,
     };
-    let (body, tuned) = tuned_body(recipe, free, limits.highest_hz)?;
+    let (body, tuned) = tuned_body(recipe, free)?;
     Ok(Bank {
         name: recipe.name.clone(),
         title: recipe.title.clone(),
@@ -84,30 +79,28 @@ pub fn free_bank(recipe: &FreeRecipe, mesh: &Mesh, watch: &dyn Watch) -> Result<
     })
 }
 
-/// Highest frequency in Hz of the body as it is that is heard on its lowest key.
-fn highest_hz(recipe: &FreeRecipe, mesh: &Mesh) -> Result<f64, SolveError> {
-    let (keys, tuning) = (recipe.keys, &recipe.tuning);
-    if tuning.rule == SpreadRule::Fixed {
-        return Ok(recipe.fineness.highest_hz);
-    }
+/// Up to where the modes of the body as it is are heard on its lowest key.
+fn limits(recipe: &FreeRecipe) -> Limits {
+    let (tuning, fineness) = (&recipe.tuning, &recipe.fineness);
     let number = match tuning.mode {
-        TunedMode::Number(number) => (number as usize).clamp(1, recipe.fineness.most_modes),
+        TunedMode::Number(number) => (number as usize).clamp(1, fineness.most_modes),
         TunedMode::Lowest | TunedMode::Loudest => 1,
     };
-    let pencil = assemble(mesh, &recipe.material, TetMass::Consistent)?;
-    let own_hz = lowest_of(&pencil, number)?[number - 1];
-    Ok(recipe.fineness.highest_hz * own_hz / equal_temperament_hz(keys.low, tuning.a4_hz))
+    let pitch_hz = equal_temperament_hz(recipe.keys.low, tuning.a4_hz);
+    Limits {
+        highest_hz: fineness.highest_hz,
+        most: fineness.most_modes,
+        tuned: (tuning.rule != SpreadRule::Fixed).then_some((number, pitch_hz)),
+    }
 }
 
 /// The body at the key nearest to its own pitch, and which of its modes carries that, from 0.
-fn tuned_body(
-    recipe: &FreeRecipe,
-    free: FreeBody,
-    highest_hz: f64,
-) -> Result<(Body, u32), FreeError> {
+fn tuned_body(recipe: &FreeRecipe, free: FreeBody) -> Result<(Body, u32), FreeError> {
     let found = free.solved.modes.len();
     if found == 0 {
-        return Err(FreeError::Silent { highest_hz });
+        return Err(FreeError::Silent {
+            highest_hz: recipe.fineness.highest_hz,
+        });
     }
     let (keys, tuning) = (recipe.keys, &recipe.tuning);
     // The row has but this body, in the middle.

@@ -20,6 +20,7 @@ fn modes_hz(mesh: &Mesh, highest_hz: f64) -> Vec<f64> {
     let limits = Limits {
         highest_hz,
         most: 1000,
+        tuned: None,
     };
     let body = free_body(mesh, &material(), limits, &()).unwrap();
     body.solved.modes.iter().map(|mode| mode.hz).collect()

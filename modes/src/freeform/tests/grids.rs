@@ -99,6 +99,7 @@ fn shapes_on_the_grid_are_those_of_the_mesh() {
     let limits = Limits {
         highest_hz: 3000.0,
         most: 10,
+        tuned: None,
     };
     let body = free_body(&mesh, &material(), limits, &()).unwrap();
     let (first, line) = (&body.solved.modes[0], &body.solved.line);
@@ -125,6 +126,7 @@ fn many_modes_are_cut_to_the_number_asked_for() {
         let limits = Limits {
             highest_hz: 200e3,
             most,
+            tuned: None,
         };
         free_body(&mesh, &material(), limits, &())
             .unwrap()
