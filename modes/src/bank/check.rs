@@ -68,7 +68,7 @@ pub(super) fn check_body(body: &Body) -> Result<(), BankError> {
 }
 
 fn check_line(line: &StrikeLine) -> Result<(), BankError> {
-    if line.rows == 0 || line.len() % line.rows != 0 {
+    if line.rows == 0 || !line.len().is_multiple_of(line.rows) {
         let allowed = "at least 1, of equally many points";
         return Err(BankError::inconsistent("rows", line.rows, allowed));
     }

@@ -64,11 +64,11 @@ fn determinant(mut m: Vec<Vec<f64>>) -> f64 {
             product = -product;
         }
         product *= m[k][k];
-        for i in k + 1..m.len() {
-            let factor = m[i][k] / m[k][k];
-            for j in k..m.len() {
-                let above = m[k][j];
-                m[i][j] -= factor * above;
+        let above = m[k].clone();
+        for row in &mut m[k + 1..] {
+            let factor = row[k] / above[k];
+            for (x, above) in row.iter_mut().zip(&above).skip(k) {
+                *x -= factor * above;
             }
         }
     }
