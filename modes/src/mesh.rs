@@ -9,6 +9,7 @@ mod tube;
 pub use bar::{BarGrid, BarPart, bar_hex20};
 pub use cells::{cells_hex20, hollow_cube_hex20};
 pub use revolve::revolve_hex20;
+pub(crate) use surface::TET_FACES;
 pub use tube::{TubeGrid, tube_hex20, tube_tet4, tube_tet10};
 
 /// A volume mesh of one kind of element.

@@ -1,0 +1,84 @@
+//! Isosurface stuffing (Labelle & Shewchuk 2007): a lattice's tetrahedra, cut where the body ends.
+
+mod cuts;
+mod stencil;
+mod whole;
+
+use super::body::Body;
+use super::lattice::Lattice;
+use super::{MeshError, Note};
+use cuts::{Cuts, State};
+use std::collections::HashMap;
+use whole::{largest_part, unpinch};
+
+/// Tetrahedra of four corners.
+#[derive(Clone, Debug)]
+pub(super) struct Tets {
+    pub(super) points: Vec<[f64; 3]>,
+    /// Corner numbers, positively oriented.
+    pub(super) tets: Vec<[u32; 4]>,
+}
+
+/// The tetrahedra of `body` on `lattice`; what of them hangs together most.
+pub(super) fn stuff(
+    body: &Body,
+    lattice: &Lattice,
+    notes: &mut Vec<Note>,
+) -> Result<Tets, MeshError> {
+    let cuts = Cuts::find(body, lattice);
+    if cuts.overlaps {
+        notes.push(Note::Overlaps);
+    }
+    let mut tets = fill(lattice, &cuts);
+    let parts = largest_part(&mut tets);
+    if tets.tets.is_empty() {
+        return Err(MeshError::NoElements);
+    }
+    if parts > 1 {
+        notes.push(Note::PiecesLeft {
+            kept: 1,
+            left: parts - 1,
+        });
+    }
+    unpinch(&mut tets);
+    Ok(tets)
+}
+
+/// A corner of the tetrahedra to be: a point of the lattice, or the cut between an inner and an outer
+/// one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Corner {
+    Point(usize),
+    Cut(usize, usize),
+}
+
+fn fill(lattice: &Lattice, cuts: &Cuts) -> Tets {
+    let mut filled = Tets {
+        points: Vec::new(),
+        tets: Vec::new(),
+    };
+    let mut ids: HashMap<Corner, u32> = HashMap::new();
+    for tet in lattice.tetrahedra() {
+        if tet.iter().all(|&n| cuts.states[n] != State::Inside) {
+            continue;
+        }
+        stencil::cut_tet(
+            tet,
+            lattice,
+            |n| cuts.states[n],
+            |corners| {
+                let tet = corners.map(|corner| {
+                    *ids.entry(corner).or_insert_with(|| {
+                        filled.points.push(match corner {
+                            Corner::Point(n) => cuts.places[n],
+                            Corner::Cut(inner, outer) => cuts.place(inner, outer),
+                        });
+                        filled.points.len() as u32 - 1
+                    })
+                });
+                filled.tets.push(tet);
+            },
+        );
+    }
+    filled
+}

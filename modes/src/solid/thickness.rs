@@ -1,0 +1,38 @@
+//! How thick the parts of a body are.
+
+use super::ClosedSurface;
+use super::tree::Tree;
+use super::vector::{add, doubled_area, norm, scale, sub, unit};
+
+/// Triangles that are looked from, spread evenly over the area.
+const LOOKS: usize = 1000;
+
+/// The share of the surface that may be thinner: the tips of wedges are.
+const THINNER: f64 = 0.06;
+
+/// The thickness, in m, that all but a small share of the surface has behind it; `None` where nothing
+/// can be seen.
+pub(super) fn thickness_m(surface: &ClosedSurface, tree: &Tree) -> Option<f64> {
+    let (low, high) = surface.bounds_m();
+    let across = norm(sub(high, low));
+    let areas = (0..surface.triangles.len()).map(|t| norm(doubled_area(surface.corners_m(t))));
+    let step = areas.clone().sum::<f64>() / LOOKS as f64;
+    let (mut passed, mut seen) = (0.0, Vec::with_capacity(LOOKS));
+    for (t, area) in areas.enumerate() {
+        let before = (passed / step) as usize;
+        passed += area;
+        let looks = (passed / step) as usize - before;
+        if looks == 0 {
+            continue;
+        }
+        let corners = surface.corners_m(t);
+        let middle = scale(corners.into_iter().fold([0.0; 3], add), 1.0 / 3.0);
+        let inward = scale(unit(doubled_area(corners)), -1.0);
+        let from = add(middle, scale(inward, 1e-6 * across));
+        if let Some(&share) = tree.hits(from, add(from, scale(inward, across))).first() {
+            seen.extend(std::iter::repeat_n(share * across, looks));
+        }
+    }
+    seen.sort_by(f64::total_cmp);
+    seen.get((THINNER * seen.len() as f64) as usize).copied()
+}
