@@ -14,7 +14,10 @@ use super::topology::Faces;
 use std::ops::ControlFlow;
 
 /// Rounds of moving towards edges and improving.
-const ROUNDS: usize = 12;
+const ROUNDS: usize = 14;
+
+/// The round after which goals not yet reached are given up.
+const RELEASE: usize = 7;
 
 /// What a point of the mesh may not leave.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +50,8 @@ pub(super) struct Fit<'a> {
     beside: Lists,
     /// A cell's longest side, in m.
     cell_m: f64,
+    /// Points whose goals were given up.
+    short: usize,
 }
 
 /// Short lists back to back.
@@ -89,11 +94,11 @@ impl<'a> Fit<'a> {
             if holds[at] == Hold::Free {
                 holds[at] = match body.side(p) {
                     Side::Inner => Hold::Inner,
-                    side @ Side::Outer => {
-                        body.project(p, side, |_| true).map_or(Hold::Free, |near| {
+                    side @ Side::Outer => body
+                        .project(p, cell_m, side, |_| true)
+                        .map_or(Hold::Free, |near| {
                             Hold::Face(features.patch[near.triangle as usize])
-                        })
-                    }
+                        }),
                 };
             }
         }
@@ -121,6 +126,7 @@ impl<'a> Fit<'a> {
             beside: Lists::of(count, beside),
             mesh,
             cell_m,
+            short: 0,
         }
     }
 
@@ -136,6 +142,9 @@ impl<'a> Fit<'a> {
         for round in 0..ROUNDS {
             told(round, ROUNDS)?;
             self.approach();
+            if round == RELEASE {
+                self.release();
+            }
             if !self.relax() {
                 break;
             }
@@ -145,7 +154,21 @@ impl<'a> Fit<'a> {
 
     /// Points that did not get where they should.
     pub(super) fn short(&self) -> usize {
-        self.goals.iter().flatten().count()
+        self.short
+    }
+
+    /// Gives up goals that are out of reach, and leaves the points on the smooth part beside.
+    fn release(&mut self) {
+        for point in 0..self.goals.len() {
+            if self.goals[point].take().is_none() {
+                continue;
+            }
+            self.short += 1;
+            let here = self.mesh.points[point];
+            if let Some(near) = self.body.project(here, self.cell_m, Side::Outer, |_| true) {
+                self.holds[point] = Hold::Face(self.features.patch[near.triangle as usize]);
+            }
+        }
     }
 
     fn corners(&self, tet: u32) -> [[f64; 3]; 4] {

@@ -20,6 +20,9 @@ pub(super) const NEIGHBOURS: [[i64; 3]; 14] = [
     [-1, 1, 1],
 ];
 
+/// Points of a lattice at most: they take some 100 bytes each.
+const MOST_POINTS: f64 = 6e6;
+
 /// A lattice whose outer cells lie around the box, so that the box's own sides are planes of points.
 pub(super) struct Lattice {
     /// The lattice's first corner, in m.
@@ -43,6 +46,18 @@ impl Lattice {
         }
     }
 
+    /// `edge_m`, or the least more with which a lattice over the box has no more points than it may.
+    pub(super) fn feasible_m((low_m, high_m): ([f64; 3], [f64; 3]), mut edge_m: f64) -> f64 {
+        let side = sub(high_m, low_m);
+        let points =
+            |edge_m: f64| 2.0 * side.map(|side| side / edge_m + 4.0).iter().product::<f64>();
+        edge_m = edge_m.max(1e-6 * side.into_iter().fold(0.0, f64::max));
+        while points(edge_m) > MOST_POINTS {
+            edge_m *= 1.02;
+        }
+        edge_m
+    }
+
     /// Number of points: two to a cell, those of the last planes included.
     pub(super) fn len(&self) -> usize {
         2 * self
@@ -56,8 +71,16 @@ impl Lattice {
     pub(super) fn number(&self, half: [i64; 3]) -> Option<usize> {
         let cell = half.map(|x| x.div_euclid(2));
         let inside = (0..3).all(|a| (0..=self.cells[a]).contains(&cell[a]));
-        let at = (cell[0] * (self.cells[1] + 1) + cell[1]) * (self.cells[2] + 1) + cell[2];
-        inside.then_some(2 * at as usize + (half[0].rem_euclid(2)) as usize)
+        inside.then(|| {
+            let at = (cell[0] * (self.cells[1] + 1) + cell[1]) * (self.cells[2] + 1) + cell[2];
+            2 * at as usize + half[0].rem_euclid(2) as usize
+        })
+    }
+
+    /// Whether a point is in the box or on its sides.
+    pub(super) fn in_box(&self, number: usize) -> bool {
+        let half = self.half(number);
+        (0..3).all(|a| (2..=2 * (self.cells[a] - 1)).contains(&half[a]))
     }
 
     /// Half cells from the first corner.

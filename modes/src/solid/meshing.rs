@@ -119,6 +119,7 @@ fn stuffed(
     let mut edge_m = size.cell_m;
     for step in 0.. {
         told(step)?;
+        edge_m = Lattice::feasible_m(surface.bounds_m(), edge_m);
         let lattice = Lattice::fitting(surface.bounds_m(), edge_m);
         let mut own = Vec::new();
         let stuffed = stuff(body, &lattice, &mut own);

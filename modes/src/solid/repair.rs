@@ -8,6 +8,7 @@ mod pieces;
 mod weld;
 
 use super::closed::signed_volume;
+use super::tree::Tree;
 use super::vector::{bounds, doubled_area, norm, scale, sub};
 use super::{ClosedSurface, MeshError, Note, Soup};
 use edges::Edges;
@@ -84,13 +85,15 @@ pub fn repair(soup: &Soup, how: &Repair) -> Result<ClosedSurface, MeshError> {
     orient::agree(&mut work)?;
     holes::close(&mut work)?;
     pieces::choose(&mut work, how.pieces)?;
+    // Pieces turned where others share an edge with them open it.
+    holes::close(&mut work)?;
     let many = Edges::of(&work.triangles).many_faced();
     if many > 0 {
         work.notes.push(Note::ManyFaced { edges: many });
     }
     let (volume, area) = (signed_volume(&work.points, &work.triangles), work.area());
     // A sphere has 0.094, a sheet as thin as a thousandth of its width about 4e-4.
-    if volume.is_nan() || volume < 1e-7 * area.powf(1.5) {
+    if volume.is_nan() || volume < 1e-7 * area.powf(1.5) && !encloses(&work) {
         return Err(MeshError::Flat);
     }
     sized(work, how.size_m)
@@ -107,6 +110,29 @@ fn check(soup: &Soup) -> Result<(), MeshError> {
         Some(triangle) => Err(MeshError::BadTriangle { triangle }),
         None => Ok(()),
     }
+}
+
+/// Whether a point of a grid over the box is inside: a surface that turns inside out halfway has no
+/// volume but encloses some.
+fn encloses(work: &Work) -> bool {
+    const GRID: usize = 12;
+    let tree = Tree::new(&work.points, &work.triangles);
+    let used = work.triangles.iter().flatten();
+    let (low, high) = bounds(used.map(|&i| work.points[i as usize]));
+    let side = sub(high, low);
+    if side.iter().any(|&x| x < 1e-5 * norm(side)) {
+        return false;
+    }
+    let place =
+        |step: usize, a: usize| low[a] + (high[a] - low[a]) * (step as f64 + 0.47) / GRID as f64;
+    (0..GRID.pow(3)).any(|n| {
+        let p = [
+            place(n % GRID, 0),
+            place(n / GRID % GRID, 1),
+            place(n / GRID / GRID, 2),
+        ];
+        tree.winding(p).abs() > 0.75
+    })
 }
 
 /// That a length is between two.

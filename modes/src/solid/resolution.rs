@@ -1,13 +1,14 @@
 //! How fine a mesh is.
 
 use super::body::Body;
+use super::lattice::Lattice;
 use super::thickness::thickness_m;
 use super::vector::sub;
 use super::{ClosedSurface, MeshError};
 
-/// Longest side of a cell over the thickness of a part: two elements through it, with a point in
-/// between, wherever the lattice lies.
-const RESOLVES: f64 = 1.2;
+/// Longest side of a cell over the thickness of a part: one or two elements through it wherever the
+/// lattice lies, and no holes.
+const RESOLVES: f64 = 0.9;
 
 /// Longest side of a cell over the bounding box's shortest: elements may lie flat in a plate.
 const FLATTEST: f64 = 2.5;
@@ -70,14 +71,15 @@ impl Size {
         let flat = asked.min(FLATTEST * shortest);
         let thin_m = match how.wall_m {
             Some(wall_m) => Some(wall_m),
-            None => thickness_m(surface, body.tree()),
+            None => thickness_m(surface, body),
         };
         // A plate as thick as its box is a layer of cells of its own.
         let limit = thin_m.filter(|&thin_m| thin_m < 0.8 * shortest);
         let limit = limit.map_or(f64::INFINITY, |thin_m| RESOLVES * thin_m);
-        let cell_m = flat.min(limit);
+        let bounds_m = surface.bounds_m();
+        let cell_m = Lattice::feasible_m(bounds_m, flat).min(limit);
         let needed = nodes(cell_m);
-        if needed > how.most_nodes as f64 {
+        if needed > how.most_nodes as f64 || cell_m < Lattice::feasible_m(bounds_m, cell_m) {
             return Err(MeshError::TooThin {
                 thin_m: thin_m.unwrap_or(cell_m),
                 nodes: needed as usize,

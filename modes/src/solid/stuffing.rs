@@ -6,10 +6,18 @@ mod whole;
 
 use super::body::Body;
 use super::lattice::Lattice;
+use super::quality::volume_length;
+use super::vector::{add, scale};
 use super::{MeshError, Note};
 use cuts::{Cuts, State};
 use std::collections::HashMap;
 use whole::{largest_part, unpinch};
+
+/// How deep in the body the middle of a tetrahedron is, in cells, that goes through a thin part.
+const DEEP: f64 = 0.12;
+
+/// The least quality of such a tetrahedron.
+const SPANNING: f64 = 0.2;
 
 /// Tetrahedra of four corners.
 #[derive(Clone, Debug)]
@@ -29,7 +37,7 @@ pub(super) fn stuff(
     if cuts.overlaps {
         notes.push(Note::Overlaps);
     }
-    let mut tets = fill(lattice, &cuts);
+    let mut tets = fill(body, lattice, &cuts);
     let parts = largest_part(&mut tets);
     if tets.tets.is_empty() {
         return Err(MeshError::NoElements);
@@ -52,14 +60,27 @@ enum Corner {
     Cut(usize, usize),
 }
 
-fn fill(lattice: &Lattice, cuts: &Cuts) -> Tets {
+/// Whether a tetrahedron whose corners are all on the boundary goes from one side of a thin part to the
+/// other: a flat one lies along the surface.
+fn spans(body: &Body, lattice: &Lattice, corners: [[f64; 3]; 4]) -> bool {
+    let middle = scale(corners.into_iter().fold([0.0; 3], add), 0.25);
+    let deep_m = DEEP * lattice.cell_m.into_iter().fold(f64::INFINITY, f64::min);
+    volume_length(corners) > SPANNING
+        && body
+            .depth_m(middle, deep_m)
+            .is_some_and(|depth_m| depth_m >= deep_m)
+}
+
+fn fill(body: &Body, lattice: &Lattice, cuts: &Cuts) -> Tets {
     let mut filled = Tets {
         points: Vec::new(),
         tets: Vec::new(),
     };
     let mut ids: HashMap<Corner, u32> = HashMap::new();
     for tet in lattice.tetrahedra() {
-        if tet.iter().all(|&n| cuts.states[n] != State::Inside) {
+        let on = tet.iter().all(|&n| cuts.states[n] == State::On);
+        let inside = tet.iter().any(|&n| cuts.states[n] == State::Inside);
+        if !inside && !(on && spans(body, lattice, tet.map(|n| cuts.places[n]))) {
             continue;
         }
         stencil::cut_tet(

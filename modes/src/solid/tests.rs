@@ -5,6 +5,8 @@ use crate::factory::Silent;
 use std::f64::consts::PI;
 use std::time::Instant;
 
+mod hostile;
+
 fn meshed(soup: &Soup, how: &Meshing) -> Meshed {
     let surface = repair(soup, &Repair::default()).unwrap();
     let start = Instant::now();

@@ -1,8 +1,8 @@
 //! How thick the parts of a body are.
 
 use super::ClosedSurface;
-use super::tree::Tree;
-use super::vector::{add, doubled_area, norm, scale, sub, unit};
+use super::body::Body;
+use super::vector::{add, doubled_area, lerp, norm, scale, sub, unit};
 
 /// Triangles that are looked from, spread evenly over the area.
 const LOOKS: usize = 1000;
@@ -12,7 +12,7 @@ const THINNER: f64 = 0.06;
 
 /// The thickness, in m, that all but a small share of the surface has behind it; `None` where nothing
 /// can be seen.
-pub(super) fn thickness_m(surface: &ClosedSurface, tree: &Tree) -> Option<f64> {
+pub(super) fn thickness_m(surface: &ClosedSurface, body: &Body) -> Option<f64> {
     let (low, high) = surface.bounds_m();
     let across = norm(sub(high, low));
     let areas = (0..surface.triangles.len()).map(|t| norm(doubled_area(surface.corners_m(t))));
@@ -29,7 +29,15 @@ pub(super) fn thickness_m(surface: &ClosedSurface, tree: &Tree) -> Option<f64> {
         let middle = scale(corners.into_iter().fold([0.0; 3], add), 1.0 / 3.0);
         let inward = scale(unit(doubled_area(corners)), -1.0);
         let from = add(middle, scale(inward, 1e-6 * across));
-        if let Some(&share) = tree.hits(from, add(from, scale(inward, across))).first() {
+        let outside = add(middle, scale(inward, -1e-6 * across));
+        if body.enclosed(outside).0 {
+            // One part's face inside another bounds nothing.
+            continue;
+        }
+        let to = add(from, scale(inward, across));
+        let through = body.tree().hits(from, to).into_iter();
+        let mut ends = through.filter(|share| !body.enclosed(lerp(from, to, share + 1e-6)).0);
+        if let Some(share) = ends.next() {
             seen.extend(std::iter::repeat_n(share * across, looks));
         }
     }

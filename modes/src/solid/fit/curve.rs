@@ -108,7 +108,9 @@ fn patch(fit: &Fit, face: [u32; 3]) -> Option<u32> {
     own.or_else(|| {
         let [p, q, r] = face.map(|i| fit.mesh.points[i as usize]);
         let middle = lerp(lerp(p, q, 0.5), r, 1.0 / 3.0);
-        let near = fit.body.project(middle, Side::Outer, |_| true)?;
+        let near = fit
+            .body
+            .project(middle, fit.cell_m, Side::Outer, |_| true)?;
         Some(fit.features.patch[near.triangle as usize])
     })
 }
@@ -118,7 +120,10 @@ fn goal(fit: &Fit, edge: [u32; 2], parts: &[Option<u32>], middle: [f64; 3]) -> O
     let holds = edge.map(|i| fit.holds[i as usize]);
     if parts.iter().any(Option::is_none) {
         let inner = holds.iter().all(|hold| *hold == Hold::Inner);
-        let point = fit.body.project(middle, Side::Inner, |_| true)?.point;
+        let point = fit
+            .body
+            .project(middle, fit.cell_m, Side::Inner, |_| true)?
+            .point;
         return inner.then_some(point);
     }
     let on = |pair: [u32; 2], hold| match hold {
@@ -136,7 +141,11 @@ fn goal(fit: &Fit, edge: [u32; 2], parts: &[Option<u32>], middle: [f64; 3]) -> O
         }
         [Some(a), ..] => {
             let own = |t: u32| fit.features.patch[t as usize] == a;
-            Some(fit.body.project(middle, Side::Outer, own)?.point)
+            Some(
+                fit.body
+                    .project(middle, fit.cell_m, Side::Outer, own)?
+                    .point,
+            )
         }
         _ => None,
     }

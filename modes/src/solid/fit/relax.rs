@@ -3,10 +3,10 @@
 use super::{Fit, Hold};
 use crate::solid::body::Side;
 use crate::solid::quality::volume_length;
-use crate::solid::vector::{add, cross, lerp, scale, sub, unit};
+use crate::solid::vector::{add, cross, distance, lerp, scale, sub, unit};
 
 /// No move makes an element worse than this unless it was worse already.
-const FLOOR: f64 = 0.15;
+const FLOOR: f64 = 0.2;
 
 /// A star whose worst element is this good is left alone.
 const GOOD: f64 = 0.7;
@@ -64,7 +64,7 @@ impl Fit<'_> {
             (scale(lift, self.cell_m), [0.3, 0.15, 0.06, 0.02]),
         ] {
             for share in shares {
-                let Some(p) = self.held(point, add(here, scale(way, share))) else {
+                let Some(p) = self.held(point, here, add(here, scale(way, share))) else {
                     continue;
                 };
                 let quality = self.worst_at(point, p);
@@ -112,18 +112,19 @@ impl Fit<'_> {
         .fold([0.0; 3], add)
     }
 
-    /// `p` brought back to what a point may not leave.
-    fn held(&self, point: usize, p: [f64; 3]) -> Option<[f64; 3]> {
+    /// `p` brought back to what a point, now at `here`, may not leave.
+    fn held(&self, point: usize, here: [f64; 3], p: [f64; 3]) -> Option<[f64; 3]> {
+        let bound_m = distance(here, p);
         match self.holds[point] {
             Hold::Free => Some(p),
             Hold::Face(patch) => {
                 let own = |t: u32| self.features.patch[t as usize] == patch;
-                Some(self.body.project(p, Side::Outer, own)?.point)
+                Some(self.body.project(p, bound_m, Side::Outer, own)?.point)
             }
-            Hold::Inner => Some(self.body.project(p, Side::Inner, |_| true)?.point),
+            Hold::Inner => Some(self.body.project(p, bound_m, Side::Inner, |_| true)?.point),
             Hold::Edge(pair) => {
                 let own = |other| pair == other;
-                Some(self.features.nearest(p, f64::INFINITY, own)?.0)
+                Some(self.features.nearest(p, 1.001 * bound_m, own)?.0)
             }
             Hold::Corner => None,
         }

@@ -8,7 +8,9 @@ const MOST_EARS: usize = 256;
 /// Triangles that cover the polygon `face`, which need be neither convex nor quite plane: ears are
 /// cut off one by one (Meisters 1975). Where there is none, a fan winds as often around each point.
 pub(in crate::solid) fn cut_polygon(face: &[u32], points: &[[f64; 3]]) -> Vec<[u32; 3]> {
-    let mut left = face.to_vec();
+    // From the lowest corner on, so that a face and its back are cut alike.
+    let lowest = (0..face.len()).min_by_key(|&i| face[i]).unwrap_or(0);
+    let mut left = [&face[lowest..], &face[..lowest]].concat();
     let mut triangles = Vec::with_capacity(face.len().saturating_sub(2));
     let place = |i: u32| points[i as usize];
     let normal = (0..face.len())

@@ -41,7 +41,11 @@ impl Cuts {
             .with_min_len(256)
             .map(|n| {
                 let p = lattice.place(n);
-                if let Some(on) = body.tree().nearest(p, near, |_| true) {
+                if !lattice.in_box(n) {
+                    return (p, State::Outside, false);
+                }
+                let on = body.tree().nearest(p, near, |_| true);
+                if let Some(on) = on.filter(|_| !body.surrounds(p, 100.0 * near)) {
                     return (on.point, State::On, false);
                 }
                 let (enclosed, winding) = body.enclosed(p);
