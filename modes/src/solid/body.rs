@@ -38,6 +38,11 @@ impl Body {
         }
     }
 
+    /// Thickness of a hollow body's wall, in m.
+    pub(super) fn wall_m(&self) -> Option<f64> {
+        self.wall_m
+    }
+
     pub(super) fn tree(&self) -> &Tree {
         &self.tree
     }
@@ -80,7 +85,7 @@ impl Body {
     /// The share of the way from `inside` to `outside` at which the body ends.
     pub(super) fn end(&self, inside: [f64; 3], outside: [f64; 3]) -> f64 {
         match self.wall_m {
-            Some(wall_m) if self.enclosed(outside).0 => self.into_hollow(inside, outside, wall_m),
+            Some(wall_m) if self.enclosed(outside).0 => self.end_of_wall(inside, outside, wall_m),
             // All but always the way goes through one triangle.
             _ => match self.tree.hits(inside, outside)[..] {
                 [hit] => hit,
@@ -90,7 +95,7 @@ impl Body {
     }
 
     /// Where the way from `inside` the wall to the hollow leaves it.
-    fn into_hollow(&self, inside: [f64; 3], hollow: [f64; 3], wall_m: f64) -> f64 {
+    fn end_of_wall(&self, inside: [f64; 3], hollow: [f64; 3], wall_m: f64) -> f64 {
         let bound_m = wall_m + distance(inside, hollow);
         let beyond_m = |share: f64| {
             let near = self

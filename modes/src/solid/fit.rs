@@ -11,13 +11,15 @@ use super::features::Features;
 use super::quality::volume_length;
 use super::stuffing::Tets;
 use super::topology::Faces;
+use super::vector::lerp;
+use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 /// Rounds of moving towards edges and improving.
-const ROUNDS: usize = 14;
+const ROUNDS: usize = 18;
 
-/// The round after which goals not yet reached are given up.
-const RELEASE: usize = 7;
+/// Rounds after which goals not yet reached are given up, and other points may go instead.
+const PATIENCE: usize = 6;
 
 /// What a point of the mesh may not leave.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +53,7 @@ pub(super) struct Fit<'a> {
     /// A cell's longest side, in m.
     cell_m: f64,
     /// Points whose goals were given up.
-    short: usize,
+    barred: HashSet<usize>,
 }
 
 /// Short lists back to back.
@@ -126,7 +128,7 @@ impl<'a> Fit<'a> {
             beside: Lists::of(count, beside),
             mesh,
             cell_m,
-            short: 0,
+            barred: HashSet::new(),
         }
     }
 
@@ -135,15 +137,15 @@ impl<'a> Fit<'a> {
         &mut self,
         told: impl Fn(usize, usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        for snap in cover::snaps(self) {
-            self.holds[snap.point] = snap.hold;
-            self.goals[snap.point] = Some(snap.goal);
-        }
+        self.aim();
         for round in 0..ROUNDS {
             told(round, ROUNDS)?;
             self.approach();
-            if round == RELEASE {
+            if round % PATIENCE == PATIENCE - 1 {
                 self.release();
+                if round + PATIENCE < ROUNDS {
+                    self.aim();
+                }
             }
             if !self.relax() {
                 break;
@@ -152,9 +154,37 @@ impl<'a> Fit<'a> {
         ControlFlow::Continue(())
     }
 
+    /// The smooth part that a triangle of the boundary lies on; none within a wall.
+    pub(super) fn part(&self, face: [u32; 3]) -> Option<u32> {
+        let holds = face.map(|i| self.holds[i as usize]);
+        if holds.contains(&Hold::Inner) {
+            return None;
+        }
+        let own = holds.iter().find_map(|hold| match hold {
+            Hold::Face(patch) => Some(*patch),
+            _ => None,
+        });
+        own.or_else(|| {
+            let [p, q, r] = face.map(|i| self.mesh.points[i as usize]);
+            let middle = lerp(lerp(p, q, 0.5), r, 1.0 / 3.0);
+            let near = self
+                .body
+                .project(middle, self.cell_m, Side::Outer, |_| true)?;
+            Some(self.features.patch[near.triangle as usize])
+        })
+    }
+
     /// Points that did not get where they should.
     pub(super) fn short(&self) -> usize {
-        self.short
+        self.barred.len()
+    }
+
+    /// Sends points to edges and corners.
+    fn aim(&mut self) {
+        for snap in cover::snaps(self) {
+            self.holds[snap.point] = snap.hold;
+            self.goals[snap.point] = Some(snap.goal);
+        }
     }
 
     /// Gives up goals that are out of reach, and leaves the points on the smooth part beside.
@@ -163,12 +193,18 @@ impl<'a> Fit<'a> {
             if self.goals[point].take().is_none() {
                 continue;
             }
-            self.short += 1;
+            self.barred.insert(point);
             let here = self.mesh.points[point];
             if let Some(near) = self.body.project(here, self.cell_m, Side::Outer, |_| true) {
                 self.holds[point] = Hold::Face(self.features.patch[near.triangle as usize]);
             }
         }
+    }
+
+    /// Whether a point is on a smooth part and may be sent to its edge.
+    fn can_go(&self, point: u32) -> bool {
+        let point = point as usize;
+        matches!(self.holds[point], Hold::Face(_)) && !self.barred.contains(&point)
     }
 
     fn corners(&self, tet: u32) -> [[f64; 3]; 4] {

@@ -63,7 +63,7 @@ impl Lattice {
         2 * self
             .cells
             .iter()
-            .map(|&n| n as usize + 1)
+            .map(|&n| n.unsigned_abs() as usize + 1)
             .product::<usize>()
     }
 
@@ -73,7 +73,7 @@ impl Lattice {
         let inside = (0..3).all(|a| (0..=self.cells[a]).contains(&cell[a]));
         inside.then(|| {
             let at = (cell[0] * (self.cells[1] + 1) + cell[1]) * (self.cells[2] + 1) + cell[2];
-            2 * at as usize + half[0].rem_euclid(2) as usize
+            2 * at.unsigned_abs() as usize + half[0].rem_euclid(2).unsigned_abs() as usize
         })
     }
 

@@ -91,6 +91,11 @@ pub enum Note {
         /// The wall, in m.
         wall_m: f64,
     },
+    /// The wall is thinner than asked where it would fold.
+    Thinner {
+        /// At how many points of the surface.
+        points: usize,
+    },
     /// Elements smaller than the budget allows, so that thin parts are more than a pattern of holes.
     Finer {
         /// Thickness of the thin parts, in m.
@@ -180,6 +185,10 @@ impl Display for Note {
                     1e3 * wall_m
                 )
             }
+            Self::Thinner { points } => write!(
+                f,
+                "the wall is thinner than asked at {points} points, in edges too sharp for it"
+            ),
             Self::Finer {
                 thin_m,
                 nodes,

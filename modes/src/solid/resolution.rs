@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::lattice::Lattice;
 use super::thickness::thickness_m;
-use super::vector::sub;
+use super::vector::{sub, whole};
 use super::{ClosedSurface, MeshError};
 
 /// Longest side of a cell over the thickness of a part: one or two elements through it wherever the
@@ -12,6 +12,12 @@ const RESOLVES: f64 = 0.9;
 
 /// Longest side of a cell over the bounding box's shortest: elements may lie flat in a plate.
 const FLATTEST: f64 = 2.5;
+
+/// Nodes of a wall of wedges over its area in cells squared.
+const WEDGES: f64 = 26.0;
+
+/// Sides of a wedge over its height, at most.
+const WIDEST: f64 = 5.0;
 
 /// How a body is meshed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +88,7 @@ impl Size {
         if needed > how.most_nodes as f64 || cell_m < Lattice::feasible_m(bounds_m, cell_m) {
             return Err(MeshError::TooThin {
                 thin_m: thin_m.unwrap_or(cell_m),
-                nodes: needed as usize,
+                nodes: whole(needed),
                 allowed: how.most_nodes,
             });
         }
@@ -107,6 +113,23 @@ fn nodes(surface: &ClosedSurface, wall_m: Option<f64>, cell_m: f64) -> f64 {
         None => (volume, area),
     };
     16.0 * volume / cell_m.powi(3) + 9.0 * area / cell_m.powi(2)
+}
+
+/// How the outside of a hollow body is meshed to become its wall as wedges; `None` if the wall is thick
+/// enough for cells within the budget.
+pub(super) fn outer(surface: &ClosedSurface, how: &Meshing) -> Option<Meshing> {
+    let wall_m = how.wall_m?;
+    let through_m = RESOLVES * wall_m;
+    let cell_m = match how.resolution {
+        Resolution::CellM(cell_m) => (cell_m > through_m).then_some(cell_m),
+        Resolution::Nodes(most) => (nodes(surface, how.wall_m, through_m) > most as f64)
+            .then(|| (WEDGES * surface.area_m2() / most as f64).sqrt()),
+    }?;
+    Some(Meshing {
+        wall_m: None,
+        resolution: Resolution::CellM(cell_m.clamp(wall_m, WIDEST * wall_m)),
+        most_nodes: how.most_nodes,
+    })
 }
 
 /// The cell at which `nodes` are `most`, by halving.

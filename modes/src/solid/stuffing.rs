@@ -11,6 +11,7 @@ use super::vector::{add, scale};
 use super::{MeshError, Note};
 use cuts::{Cuts, State};
 use std::collections::HashMap;
+pub(super) use stencil::wedge;
 use whole::{largest_part, unpinch};
 
 /// How deep in the body the middle of a tetrahedron is, in cells, that goes through a thin part.
@@ -36,6 +37,9 @@ pub(super) fn stuff(
     let cuts = Cuts::find(body, lattice);
     if cuts.overlaps {
         notes.push(Note::Overlaps);
+    }
+    if let Some(wall_m) = body.wall_m().filter(|_| !cuts.hollow) {
+        notes.push(Note::WallFills { wall_m });
     }
     let mut tets = fill(body, lattice, &cuts);
     let parts = largest_part(&mut tets);
@@ -80,7 +84,8 @@ fn fill(body: &Body, lattice: &Lattice, cuts: &Cuts) -> Tets {
     for tet in lattice.tetrahedra() {
         let on = tet.iter().all(|&n| cuts.states[n] == State::On);
         let inside = tet.iter().any(|&n| cuts.states[n] == State::Inside);
-        if !inside && !(on && spans(body, lattice, tet.map(|n| cuts.places[n]))) {
+        let stays = inside || on && spans(body, lattice, tet.map(|n| cuts.places[n]));
+        if !stays {
             continue;
         }
         stencil::cut_tet(

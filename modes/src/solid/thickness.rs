@@ -2,7 +2,7 @@
 
 use super::ClosedSurface;
 use super::body::Body;
-use super::vector::{add, doubled_area, lerp, norm, scale, sub, unit};
+use super::vector::{add, doubled_area, lerp, norm, scale, sub, unit, whole};
 
 /// Triangles that are looked from, spread evenly over the area.
 const LOOKS: usize = 1000;
@@ -19,9 +19,9 @@ pub(super) fn thickness_m(surface: &ClosedSurface, body: &Body) -> Option<f64> {
     let step = areas.clone().sum::<f64>() / LOOKS as f64;
     let (mut passed, mut seen) = (0.0, Vec::with_capacity(LOOKS));
     for (t, area) in areas.enumerate() {
-        let before = (passed / step) as usize;
+        let before = whole(passed / step);
         passed += area;
-        let looks = (passed / step) as usize - before;
+        let looks = whole(passed / step) - before;
         if looks == 0 {
             continue;
         }
@@ -42,5 +42,5 @@ pub(super) fn thickness_m(surface: &ClosedSurface, body: &Body) -> Option<f64> {
         }
     }
     seen.sort_by(f64::total_cmp);
-    seen.get((THINNER * seen.len() as f64) as usize).copied()
+    seen.get(whole(THINNER * seen.len() as f64)).copied()
 }

@@ -68,3 +68,12 @@ pub(super) fn bounds(points: impl IntoIterator<Item = [f64; 3]>) -> ([f64; 3], [
         )
     })
 }
+
+/// The whole number below `x`, or 0.
+#[expect(
+    clippy::cast_sign_loss,
+    reason = "below 0 the cast gives 0, as it should"
+)]
+pub(super) fn whole(x: f64) -> usize {
+    x as usize
+}

@@ -33,12 +33,15 @@ fn to_corners(fit: &Fit) -> Vec<Snap> {
     let mut on: Vec<u32> = fit.boundary.iter().flat_map(|(face, _)| *face).collect();
     on.sort_unstable();
     on.dedup();
-    on.retain(|&i| matches!(fit.holds[i as usize], Hold::Face(_)));
+    on.retain(|&i| fit.can_go(i) && between_parts(fit, i));
     let places: Vec<[u32; 3]> = on.iter().map(|&i| [i; 3]).collect();
     let tree = Tree::new(&fit.mesh.points, &places);
     let mut taken = HashSet::new();
     let mut snaps = Vec::new();
-    for &goal in &fit.features.corners_m {
+    let there = (0..fit.holds.len()).filter(|&i| fit.holds[i] == Hold::Corner);
+    let there: Vec<[f64; 3]> = there.map(|i| fit.mesh.points[i]).collect();
+    let reached = |goal: &[f64; 3]| there.contains(goal);
+    for &goal in fit.features.corners_m.iter().filter(|goal| !reached(goal)) {
         let free = |i: u32| !taken.contains(&i);
         if let Some(near) = tree.nearest(goal, TO_CORNER * fit.cell_m, free) {
             taken.insert(near.triangle);
@@ -50,6 +53,14 @@ fn to_corners(fit: &Fit) -> Vec<Snap> {
         }
     }
     snaps
+}
+
+/// Whether a point has one of another smooth part beside it: amid a part there is no corner.
+fn between_parts(fit: &Fit, point: u32) -> bool {
+    let own = fit.holds[point as usize];
+    let beside = fit.beside.get(point as usize).iter();
+    let mut others = beside.map(|&other| fit.holds[other as usize]);
+    others.any(|other| matches!(other, Hold::Face(_)) && other != own)
 }
 
 /// Points between two smooth parts, and where their own part's sharp edge is nearest.
@@ -71,6 +82,7 @@ fn to_edges(fit: &Fit, at_corner: &HashSet<usize>) -> Vec<Snap> {
     ends.dedup();
     let mut ways: Vec<(f64, Snap)> = ends
         .iter()
+        .filter(|&&i| fit.can_go(i))
         .filter_map(|&i| {
             let p = fit.mesh.points[i as usize];
             let own = |pair: [u32; 2]| patch(i).is_some_and(|own| pair.contains(&own));

@@ -77,10 +77,7 @@ fn goals(fit: &Fit, middles: &HashMap<[u32; 2], u32>) -> HashMap<u32, [f64; 3]> 
     for (face, _) in &fit.boundary {
         let [a, b, c] = *face;
         for edge in [[a, b], [b, c], [c, a]] {
-            sides
-                .entry(sorted(edge))
-                .or_default()
-                .push(patch(fit, *face));
+            sides.entry(sorted(edge)).or_default().push(fit.part(*face));
         }
     }
     sides
@@ -93,26 +90,6 @@ fn goals(fit: &Fit, middles: &HashMap<[u32; 2], u32>) -> HashMap<u32, [f64; 3]> 
             near.then_some((middles[&edge], goal))
         })
         .collect()
-}
-
-/// The smooth part that a triangle of the boundary lies on; none within a wall.
-fn patch(fit: &Fit, face: [u32; 3]) -> Option<u32> {
-    let holds = face.map(|i| fit.holds[i as usize]);
-    if holds.contains(&Hold::Inner) {
-        return None;
-    }
-    let own = holds.iter().find_map(|hold| match hold {
-        Hold::Face(patch) => Some(*patch),
-        _ => None,
-    });
-    own.or_else(|| {
-        let [p, q, r] = face.map(|i| fit.mesh.points[i as usize]);
-        let middle = lerp(lerp(p, q, 0.5), r, 1.0 / 3.0);
-        let near = fit
-            .body
-            .project(middle, fit.cell_m, Side::Outer, |_| true)?;
-        Some(fit.features.patch[near.triangle as usize])
-    })
 }
 
 /// Where the middle of an edge between triangles on these parts belongs.

@@ -31,22 +31,24 @@ pub(super) struct Cuts {
     cuts: HashMap<(usize, usize), [f64; 3]>,
     /// Whether the surface encloses a point more than once.
     pub(super) overlaps: bool,
+    /// Whether a point is enclosed but not in the wall.
+    pub(super) hollow: bool,
 }
 
 impl Cuts {
     pub(super) fn find(body: &Body, lattice: &Lattice) -> Self {
         let near = ON * lattice.cell_m.iter().copied().fold(f64::INFINITY, f64::min);
-        let seen: Vec<([f64; 3], State, bool)> = (0..lattice.len())
+        let seen: Vec<([f64; 3], State, bool, bool)> = (0..lattice.len())
             .into_par_iter()
             .with_min_len(256)
             .map(|n| {
                 let p = lattice.place(n);
                 if !lattice.in_box(n) {
-                    return (p, State::Outside, false);
+                    return (p, State::Outside, false, false);
                 }
                 let on = body.tree().nearest(p, near, |_| true);
                 if let Some(on) = on.filter(|_| !body.surrounds(p, 100.0 * near)) {
-                    return (on.point, State::On, false);
+                    return (on.point, State::On, false, false);
                 }
                 let (enclosed, winding) = body.enclosed(p);
                 let inside = enclosed && body.in_wall(p);
@@ -55,7 +57,7 @@ impl Cuts {
                 } else {
                     State::Outside
                 };
-                (p, state, winding.abs() > 1.5)
+                (p, state, winding.abs() > 1.5, enclosed && !inside)
             })
             .collect();
         let mut found = Self {
@@ -63,6 +65,7 @@ impl Cuts {
             places: seen.iter().map(|s| s.0).collect(),
             cuts: HashMap::new(),
             overlaps: seen.iter().any(|s| s.2),
+            hollow: seen.iter().any(|s| s.3),
         };
         let edges = found.edges(lattice);
         let shares: Vec<f64> = edges

@@ -92,11 +92,11 @@ fn starts_at(lattice: &Lattice, p: usize, q: usize, outer: usize) -> usize {
 
 /// Cuts a wedge in three; `down[i]` says that the diagonal of the side from `top[i]` to `top[i + 1]`
 /// goes from `top[i]` to `bottom[i + 1]` and not from `top[i + 1]` to `bottom[i]`.
-fn wedge(
-    top: [Corner; 3],
-    bottom: [Corner; 3],
+pub(in crate::solid) fn wedge<T: Copy>(
+    top: [T; 3],
+    bottom: [T; 3],
     down: [bool; 3],
-    keep: &mut impl FnMut([Corner; 4]),
+    keep: &mut impl FnMut([T; 4]),
 ) {
     // Diagonals that do not go round in a circle meet at some corner of the top.
     let Some(i) = (0..3).find(|&i| down[i] && !down[(i + 2) % 3]) else {

@@ -549,5 +549,5 @@ fn no_triangles_make_it_panic() {
             solids += usize::from(mesh_solid(&surface, &how, &Silent).is_ok());
         }
     }
-    assert!(solids > 50, "{solids}");
+    assert!(solids > 20, "{solids}");
 }
