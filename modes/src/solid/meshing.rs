@@ -15,6 +15,9 @@ use crate::mesh::{Elements, Mesh};
 /// Volume over that of the surface below which parts are said to be lost.
 const LOST: f64 = 0.97;
 
+/// Nodes of a wall over those asked for from which that is said.
+const MORE: f64 = 1.4;
+
 /// A meshed body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meshed {
@@ -86,6 +89,7 @@ fn elements(
                             points: wall.thinner,
                         });
                     }
+                    notes.extend(finer(how, wall_m, wall.curved.mesh.nodes.len()));
                     return Ok((wall.curved, wall.straight));
                 }
             }
@@ -97,6 +101,18 @@ fn elements(
     let body = Body::new(surface, how.wall_m);
     let fit = fitted(surface, &body, &features, how, progress, notes)?;
     Ok((curve(&fit), fit.mesh))
+}
+
+/// That a wall has more nodes than were asked for, its wedges being no wider.
+fn finer(how: &Meshing, thin_m: f64, nodes: usize) -> Option<Note> {
+    match how.resolution {
+        Resolution::Nodes(asked) if nodes as f64 > MORE * asked as f64 => Some(Note::Finer {
+            thin_m,
+            nodes,
+            asked,
+        }),
+        _ => None,
+    }
 }
 
 /// That lengths are lengths.

@@ -52,6 +52,19 @@ fn thin_walls_have_their_volumes() {
     }
 }
 
+/// Wedges may be so much wider than high and no more.
+#[test]
+fn a_wall_that_needs_more_nodes_says_so() {
+    let meshed = meshed(&gallery::sphere(0.1, 4), &hollow(0.004, 2_000));
+    let (thin_m, nodes, asked) = (0.004, meshed.quality.nodes, 2_000);
+    let finer = Note::Finer {
+        thin_m,
+        nodes,
+        asked,
+    };
+    assert_eq!(meshed.notes, [finer]);
+}
+
 #[test]
 fn a_wall_that_fills_the_body_is_said_to() {
     let meshed = meshed(&gallery::cuboid([0.1; 3]), &hollow(0.06, 2_000));
