@@ -7,7 +7,8 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// A point moves onto a cut nearer than this share of an edge along the axes, or of a diagonal one:
-/// no dihedral angle below 10.78° or above 164.74° is left (Labelle & Shewchuk 2007, Table 1).
+/// in cubic cells no dihedral angle below 10.78° or above 164.74° is left (Labelle & Shewchuk 2007,
+/// Table 1).
 const MOVES: [f64; 2] = [0.24999, 0.41189];
 
 /// How near the surface, over the cell, a point is on it.
