@@ -36,6 +36,8 @@ mod recipe;
 pub mod revolution;
 pub mod shape;
 #[cfg(feature = "solve")]
+pub mod solid;
+#[cfg(feature = "solve")]
 pub mod solve;
 #[cfg(feature = "solve")]
 mod solved;
