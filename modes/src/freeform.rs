@@ -5,6 +5,7 @@ mod axes;
 mod bank;
 mod body;
 mod grid;
+mod made;
 mod outside;
 mod skin;
 mod solve;
@@ -13,4 +14,5 @@ mod tests;
 
 pub use bank::{FreeError, free_bank};
 pub use body::{FreeBody, free_body};
+pub use made::{Made, MadeError, make};
 pub use solve::Limits;

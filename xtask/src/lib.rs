@@ -11,6 +11,7 @@ mod banks;
 mod canvas;
 mod faust;
 mod matrix_market;
+mod mesh_bank;
 mod note;
 mod output;
 mod progress;

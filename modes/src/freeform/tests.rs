@@ -5,6 +5,7 @@ mod brick;
 mod cylinder;
 mod grids;
 mod lamb;
+mod made;
 
 use super::{Limits, free_body};
 use crate::Material;

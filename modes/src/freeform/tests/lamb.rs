@@ -100,7 +100,7 @@ fn roots(of: impl Fn(f64) -> f64, top: f64) -> Vec<f64> {
 
 /// Frequencies in Hz below `highest_hz` of what is between `inner_m` (0 for a solid ball) and `outer_m`,
 /// each as often as it occurs.
-fn exact_hz(inner_m: f64, outer_m: f64, highest_hz: f64) -> Vec<f64> {
+pub(super) fn exact_hz(inner_m: f64, outer_m: f64, highest_hz: f64) -> Vec<f64> {
     let material = material();
     let stiffness = material.lambda_pa + 2.0 * material.mu_pa;
     let [long, shear] = [stiffness, material.mu_pa].map(|c| (c / material.density_kg_m3).sqrt());
