@@ -9,6 +9,7 @@ pub mod spectrogram;
 
 mod banks;
 mod canvas;
+mod loudness;
 mod matrix_market;
 mod note;
 mod output;

@@ -1,0 +1,79 @@
+//! The presets that come with the plug-in, inside it.
+
+use super::preset::Preset;
+use std::sync::{Arc, OnceLock};
+
+/// One preset: its file's name, and its content.
+type Entry = (&'static str, &'static str);
+
+include!(concat!(env!("OUT_DIR"), "/presets.rs"));
+
+/// The factory's presets in the order of their files, read once for all instances.
+///
+/// # Panics
+///
+/// Never: a test reads them all.
+pub fn factory() -> &'static [Arc<Preset>] {
+    static READ: OnceLock<Vec<Arc<Preset>>> = OnceLock::new();
+    READ.get_or_init(|| {
+        let read =
+            |(file, text): &Entry| Preset::read(text, file).expect("the factory's are whole");
+        FILES.iter().map(read).map(Arc::new).collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FILES, factory};
+    use crate::factory::titles;
+    use modes::tuning::Scale;
+    use std::collections::HashSet;
+
+    #[test]
+    fn every_file_is_understood_to_the_last_line_and_has_a_whole_card() {
+        for ((file, _), preset) in FILES.iter().zip(factory()) {
+            assert_eq!(preset.notices, [], "{file}");
+            let card = &preset.card;
+            let stem = file.strip_suffix(".toml").unwrap();
+            let words: String = card
+                .name
+                .to_lowercase()
+                .replace(['\'', ','], "")
+                .replace(' ', "-");
+            assert!(stem.ends_with(&words), "{file} is {}", card.name);
+            assert!(
+                !card.category.is_empty() && !card.author.is_empty(),
+                "{file}"
+            );
+            assert!((2..=6).contains(&card.tags.len()), "{file}");
+            assert!(card.about.len() > 20 && card.about.ends_with('.'), "{file}");
+            assert!(preset.sound.get("instr").is_some(), "{file}");
+            let scale = preset.sound.scala.scale.as_bytes();
+            assert!(scale.is_empty() || Scale::parse(scale).is_ok(), "{file}");
+        }
+    }
+
+    #[test]
+    fn names_differ_and_every_instrument_has_several() {
+        let names: HashSet<_> = factory().iter().map(|preset| &preset.card.name).collect();
+        assert_eq!(names.len(), factory().len());
+        assert!(factory().len() >= 44, "{}", factory().len());
+        for title in titles() {
+            let count = factory()
+                .iter()
+                .filter(|preset| preset.instrument() == title)
+                .count();
+            assert!(count >= 4, "{title}: {count}");
+        }
+    }
+
+    #[test]
+    fn no_two_sound_alike() {
+        for (number, preset) in factory().iter().enumerate() {
+            for other in &factory()[..number] {
+                let differs = preset.sound != other.sound;
+                assert!(differs, "{} and {}", preset.card.name, other.card.name);
+            }
+        }
+    }
+}
