@@ -2,7 +2,7 @@
 
 use super::link::Link;
 use super::reporter::Reporter;
-use super::saved::{Saved, SavedField};
+use super::saved::{ChosenField, Saved, SavedField};
 use super::window::{Window, Windows};
 use crate::params::Controls;
 use crate::player::Player;
@@ -25,6 +25,8 @@ struct Kept {
     controls: Arc<Controls>,
     #[persist = "window"]
     saved: SavedField,
+    #[persist = "preset"]
+    chosen: ChosenField,
 }
 
 impl Desk {
@@ -33,6 +35,7 @@ impl Desk {
         Arc::new(Kept {
             controls: Arc::clone(controls),
             saved: SavedField(Arc::clone(&self.saved)),
+            chosen: ChosenField(Arc::clone(&self.saved)),
         })
     }
 

@@ -3,12 +3,14 @@
 use super::figure::key_name;
 use super::frame::Frame;
 use super::hands::Hands;
-use super::header::header;
+use super::header::{Top, header};
 use super::link::Link;
+use super::log::Log;
 use super::meter::Meter;
 use super::pages::Pages;
 use super::param::Param;
 use super::plot::{Scene, plot};
+use super::presets::{Browser, Session};
 use super::row::{Row, Stage};
 use super::saved::Saved;
 use super::shown::Shown;
@@ -17,8 +19,9 @@ use super::theme::{APART, CORNER, NEAR, Theme, small};
 use crate::engine::{Settings, contact_s};
 use crate::factory;
 use crate::params::Controls;
-use egui::{Align2, CornerRadius, Rect, pos2, vec2};
+use egui::{Align2, CornerRadius, Key, Modifiers, Rect, pos2, vec2};
 use nice_plug::prelude::ParamSetter;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The editor's picture and what it remembers.
@@ -35,6 +38,8 @@ pub struct Ui {
     shown: Shown,
     meter: Meter,
     pages: Pages,
+    session: Session,
+    browser: Browser,
     /// The theme that egui has been told of.
     dressed: Option<bool>,
 }
@@ -43,8 +48,12 @@ impl Ui {
     /// For an instance's parameters, joined to its audio thread by `link`.
     #[must_use]
     pub fn new(controls: Arc<Controls>, saved: Arc<Saved>, link: Arc<Link>) -> Self {
+        let log = Arc::new(Log::default());
+        let params = Param::all(&controls, &log);
         Self {
-            params: Param::all(&controls),
+            session: Session::new(&controls, &saved, &params, &log),
+            browser: Browser::default(),
+            params,
             controls,
             saved,
             link,
@@ -64,6 +73,11 @@ impl Ui {
             .iter()
             .find(|param| param.spec.id == id)
             .cloned()
+    }
+
+    /// Keeps presets and favourites in another folder than the user's; in none, if there is none.
+    pub fn keep_presets_in(&mut self, home: Option<PathBuf>) {
+        self.session.move_to(home);
     }
 
     /// A new window: egui knows nothing of the theme yet.
@@ -88,6 +102,7 @@ impl Ui {
         {
             self.hands.hold.let_go(setter);
         }
+        steps(ui, &mut self.session, setter);
         let instrument = self.param("instr");
         #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
         let index = instrument.as_ref().map_or(0.0, Param::plain).round() as usize;
@@ -104,18 +119,21 @@ impl Ui {
             ui.painter()
                 .rect_filled(panel, CornerRadius::same(CORNER), theme.panel);
         }
-        if header(
-            ui,
-            places.header,
-            instrument.as_ref(),
-            &mut self.meter,
-            &theme,
-            setter,
-        ) {
+        self.session.compare();
+        let top = Top {
+            instrument: instrument.as_ref(),
+            meter: &mut self.meter,
+            session: &mut self.session,
+            browser: &mut self.browser,
+        };
+        if header(ui, places.header, top, &theme, setter) {
             self.saved.set_dark(!dark);
             ui.ctx().request_repaint();
         }
+        let now_s = ui.input(|input| input.time);
+        self.session.listen(now_s, false);
         let hint = self.play(ui, places.row, index, &theme, setter);
+        self.session.listen(now_s, true);
         let settings = self.controls.settings();
         let bank = factory::bank(index);
         plot(
@@ -154,6 +172,10 @@ impl Ui {
             small(),
             theme.quiet,
         );
+        self.session.listen(now_s, false);
+        let middle = Rect::from_min_max(places.header.left_bottom(), places.hint.right_top());
+        self.browser
+            .show(ui, middle, &mut self.session, &theme, setter);
     }
 
     /// How long a click touches the body that is shown, in s.
@@ -191,6 +213,20 @@ impl Ui {
             setter,
         };
         self.row.show(ui, area, &stage, &mut self.hands.hold)
+    }
+}
+
+/// Undoes and does again by key.
+fn steps(ui: &egui::Ui, session: &mut Session, setter: &ParamSetter<'_>) {
+    if ui.ctx().text_edit_focused() {
+        return;
+    }
+    let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
+    let shifted = Modifiers::COMMAND | Modifiers::SHIFT;
+    if pressed(shifted, Key::Z) || pressed(Modifiers::COMMAND, Key::Y) {
+        session.redo(setter);
+    } else if pressed(Modifiers::COMMAND, Key::Z) {
+        session.undo(setter);
     }
 }
 

@@ -9,8 +9,11 @@ use nice_plug::prelude::PluginState;
 /// The texts of the tuning.
 const TEXTS: [&str; 2] = ["scale", "kbm"];
 
+/// Which preset was chosen, if any: its key, whether it is changed, and whether it brought the tuning.
+const PRESET: &str = "preset";
+
 /// Brings every value into its range and gives every parameter that is missing its default; what is
-/// not known stays. A tuning that is missing is none.
+/// not known stays. A tuning that is missing is none, and so is a preset.
 ///
 /// Hosts hand over what a file says: without this an infinite gain goes through, and a song from
 /// before a parameter existed keeps whatever value that parameter had.
@@ -25,6 +28,11 @@ pub fn heal(state: &mut PluginState) {
             // An empty text as JSON.
             "\"\"".clone_into(field);
         }
+    }
+    let field = state.fields.entry(PRESET.to_owned()).or_default();
+    if deserialize_field::<(String, bool, bool)>(field).is_err() {
+        // None, as JSON.
+        "[\"\",false,false]".clone_into(field);
     }
 }
 

@@ -4,6 +4,7 @@ use super::broken::Broken;
 use super::entry::{Entry, Origin};
 use super::factory::factory;
 use super::favourites::Favourites;
+use super::files;
 use super::folder::{Folder, export};
 use super::preset::Preset;
 use std::path::{Path, PathBuf};
@@ -13,6 +14,8 @@ use std::sync::Arc;
 const FAVOURITES: &str = "favourites.txt";
 /// Folder of the presets, in the user's folder.
 const PRESETS: &str = "Presets";
+/// Folder of the exports, in the user's folder.
+const EXPORTS: &str = "Exports";
 
 /// What there is, as it was last looked at.
 #[derive(Debug)]
@@ -145,6 +148,14 @@ impl Library {
         let file = self.need()?.import(from)?;
         self.look();
         Ok(Origin::User(file))
+    }
+
+    /// Where a preset of that name would be exported to, unless told otherwise.
+    #[must_use]
+    pub fn export_path(&self, name: &str) -> Option<PathBuf> {
+        let stem = files::stem(name).ok()?;
+        let folder = self.home.as_ref()?.join(EXPORTS);
+        Some(files::free(&folder, &stem, "toml"))
     }
 
     /// Writes a preset to a file elsewhere.

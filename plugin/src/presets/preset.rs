@@ -44,7 +44,7 @@ impl Preset {
     /// A new instance's sound, on the instrument of that index.
     #[must_use]
     pub fn init(instrument: usize) -> Self {
-        let values = specs().filter(|spec| !super::sound::is_player_s(spec));
+        let values = specs().filter(|spec| !Sound::is_player_s(spec));
         let values = values.map(|spec| match spec.id {
             id if id == INSTRUMENT.id => (spec, instrument as f32),
             _ => (spec, spec.default),

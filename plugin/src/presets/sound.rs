@@ -41,16 +41,17 @@ impl Sound {
     pub fn wanted(&self) -> impl Iterator<Item = (&'static Spec, f32)> {
         specs().filter_map(|spec| {
             let said = self.get(spec.id);
-            let usual = || (!is_player_s(spec)).then_some(spec.default);
+            let usual = || (!Self::is_player_s(spec)).then_some(spec.default);
             Some((spec, said.or_else(usual)?))
         })
     }
-}
 
-/// Whether a parameter is about the player rather than the sound.
-pub(super) fn is_player_s(spec: &Spec) -> bool {
-    let hands = GROUPS.iter().find(|group| group.name == "Hands");
-    hands.is_some_and(|group| group.specs.iter().any(|other| other.id == spec.id))
+    /// Whether a parameter is about the player rather than the sound.
+    #[must_use]
+    pub fn is_player_s(spec: &Spec) -> bool {
+        let hands = GROUPS.iter().find(|group| group.name == "Hands");
+        hands.is_some_and(|group| group.specs.iter().any(|other| other.id == spec.id))
+    }
 }
 
 #[cfg(test)]

@@ -9,5 +9,8 @@ mod bodies;
 mod host;
 mod knobs;
 mod looks;
+mod menus;
 mod picture;
+mod presets;
 mod raster;
+mod shelves;

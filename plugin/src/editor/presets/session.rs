@@ -1,0 +1,304 @@
+//! What is done with presets, steps and sides, through the host.
+
+use super::super::chosen::Chosen;
+use super::super::history::{Past, Side, Step};
+use super::super::log::{Change, Log};
+use super::super::param::Param;
+use super::super::saved::Saved;
+use crate::params::{Controls, body::INSTRUMENT};
+use crate::presets::{Broken, Card, Library, Origin, Preset, Scala, Sound};
+use crate::user_folder;
+use nice_plug::prelude::ParamSetter;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Presets, steps and sides of a window.
+pub(in super::super) struct Session {
+    controls: Arc<Controls>,
+    saved: Arc<Saved>,
+    params: Vec<Param>,
+    log: Arc<Log>,
+    pub(super) past: Past,
+    pub(super) library: Library,
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        *self.saved.past() = std::mem::take(&mut self.past);
+    }
+}
+
+impl Session {
+    pub(in super::super) fn new(
+        controls: &Arc<Controls>,
+        saved: &Arc<Saved>,
+        params: &[Param],
+        log: &Arc<Log>,
+    ) -> Self {
+        Self {
+            controls: Arc::clone(controls),
+            past: std::mem::take(&mut *saved.past()),
+            saved: Arc::clone(saved),
+            params: params.to_vec(),
+            log: Arc::clone(log),
+            library: Library::open(user_folder()),
+        }
+    }
+
+    /// Keeps presets in another folder than the user's.
+    pub(in super::super) fn move_to(&mut self, home: Option<PathBuf>) {
+        self.library = Library::open(home);
+    }
+
+    fn param(&self, id: &str) -> Option<&Param> {
+        self.params.iter().find(|param| param.spec.id == id)
+    }
+
+    /// Takes up the gestures that have ended; `played` says that playing made them.
+    pub(in super::super) fn listen(&mut self, now_s: f64, played: bool) {
+        for change in self.log.ended() {
+            let name = self.param(change.id).map_or("", |param| param.spec.name);
+            self.past.history.gesture(change, name, now_s, played);
+        }
+    }
+
+    /// Which preset is chosen.
+    pub(super) fn chosen(&self) -> Chosen {
+        self.saved.chosen()
+    }
+
+    /// The chosen preset, or that of a new instance.
+    pub(super) fn preset(&self) -> Option<Arc<Preset>> {
+        match self.chosen().origin() {
+            None => Some(Arc::new(self.init())),
+            Some(origin) => self.library.find(&origin)?.preset.clone().ok(),
+        }
+    }
+
+    /// A new instance's sound on the instrument that is played.
+    fn init(&self) -> Preset {
+        let instrument = self.param(INSTRUMENT.id).map_or(0.0, Param::plain).round();
+        #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
+        Preset::init(instrument as usize)
+    }
+
+    /// Finds out whether the sound is still the chosen preset's, as far as that is there.
+    pub(in super::super) fn compare(&self) {
+        let Some(preset) = self.preset() else {
+            return;
+        };
+        let differs = |(spec, plain): (&crate::params::Spec, f32)| {
+            let now = self.param(spec.id).map(Param::plain);
+            now.is_some_and(|now| now != plain && spec.format(now) != spec.format(plain))
+        };
+        let chosen = self.chosen();
+        let retuned = !preset.sound.scala.is_empty() && preset.sound.scala != self.scala();
+        let changed = retuned || preset.sound.wanted().any(differs);
+        if changed != chosen.changed {
+            self.saved.choose(Chosen { changed, ..chosen });
+        }
+    }
+
+    fn scala(&self) -> Scala {
+        let texts = self.controls.tuning();
+        Scala {
+            scale: texts.scale(),
+            keyboard: texts.keyboard(),
+        }
+    }
+
+    fn set_scala(&self, scala: &Scala) {
+        let texts = self.controls.tuning();
+        texts.set_scale(scala.scale.clone());
+        texts.set_keyboard(scala.keyboard.clone());
+    }
+
+    /// What is heard now.
+    fn side(&self) -> Side {
+        let place = |param: &Param| (param.spec.id, param.value());
+        Side {
+            values: self.params.iter().map(place).collect(),
+            scala: self.scala(),
+            chosen: self.chosen(),
+        }
+    }
+
+    /// Goes to a sound in one step: one gesture for each parameter that differs.
+    fn go(&mut self, to: &Side, name: String, heard: usize, setter: &ParamSetter<'_>) {
+        let mut changes = Vec::new();
+        for (id, to) in &to.values {
+            let Some(param) = self.param(id) else {
+                continue;
+            };
+            let from = param.value();
+            if from != *to {
+                param.jump(setter, *to);
+                let (id, to) = (param.spec.id, *to);
+                changes.push(Change { id, from, to });
+            }
+        }
+        let (scala, chosen) = (self.scala(), self.chosen());
+        if scala != to.scala {
+            self.set_scala(&to.scala);
+        }
+        self.saved.choose(to.chosen.clone());
+        self.past.history.push(Step {
+            name,
+            changes,
+            scala: (scala != to.scala).then(|| [scala, to.scala.clone()]),
+            chosen: Some([chosen, to.chosen.clone()]),
+            side: (heard != self.past.heard).then_some([self.past.heard, heard]),
+        });
+        self.past.heard = heard;
+    }
+
+    /// Takes a step back (0) or forward (1).
+    fn step(&mut self, step: &Step, way: usize, setter: &ParamSetter<'_>) {
+        for change in &step.changes {
+            if let Some(param) = self.param(change.id) {
+                param.jump(setter, [change.from, change.to][way]);
+            }
+        }
+        if let Some(scala) = &step.scala {
+            self.set_scala(&scala[way]);
+        }
+        if let Some(chosen) = &step.chosen {
+            self.saved.choose(chosen[way].clone());
+        }
+        if let Some(side) = step.side {
+            self.past.heard = side[way];
+        }
+    }
+
+    /// Undoes the last step.
+    pub(in super::super) fn undo(&mut self, setter: &ParamSetter<'_>) {
+        if let Some(step) = self.past.history.undo() {
+            self.step(&step, 0, setter);
+        }
+    }
+
+    /// Does the step again that was undone last.
+    pub(in super::super) fn redo(&mut self, setter: &ParamSetter<'_>) {
+        if let Some(step) = self.past.history.redo() {
+            self.step(&step, 1, setter);
+        }
+    }
+
+    /// Hears the other side of the comparison; a side that was never heard begins as this one.
+    pub(super) fn turn(&mut self, side: usize, setter: &ParamSetter<'_>) {
+        if side == self.past.heard {
+            return;
+        }
+        let here = self.side();
+        let there = self.past.sides[side]
+            .clone()
+            .unwrap_or_else(|| here.clone());
+        self.past.sides[self.past.heard] = Some(here);
+        self.go(&there, format!("side {}", ["A", "B"][side]), side, setter);
+    }
+
+    /// Makes the other side the same as this one.
+    pub(super) fn copy(&mut self) {
+        self.past.sides[1 - self.past.heard] = Some(self.side());
+    }
+
+    /// Loads a preset, in one step.
+    pub(super) fn load(
+        &mut self,
+        preset: &Preset,
+        origin: Option<&Origin>,
+        setter: &ParamSetter<'_>,
+    ) {
+        let wanted = preset.sound.wanted();
+        let place = |(spec, plain): (&'static crate::params::Spec, f32)| {
+            Some((spec.id, self.param(spec.id)?.place(plain)))
+        };
+        let values = wanted.filter_map(place).collect();
+        let own = &preset.sound.scala;
+        let scala = if !own.is_empty() || self.chosen().tuned {
+            own.clone()
+        } else {
+            // The song's own.
+            self.scala()
+        };
+        let side = Side {
+            values,
+            scala,
+            chosen: Chosen {
+                key: origin.map(Origin::key).unwrap_or_default(),
+                changed: false,
+                tuned: !own.is_empty(),
+            },
+        };
+        self.go(&side, preset.card.name.clone(), self.past.heard, setter);
+    }
+
+    /// Everything as in a new instance, but for the instrument.
+    pub(super) fn reset(&mut self, setter: &ParamSetter<'_>) {
+        let init = self.init();
+        self.load(&init, None, setter);
+    }
+
+    /// Loads the preset before (−1) or after (1) the chosen one among those that can be had.
+    pub(super) fn next(&mut self, way: isize, among: &[Origin], setter: &ParamSetter<'_>) {
+        let has = |origin: &&Origin| self.library.find(origin).is_some_and(|e| e.preset.is_ok());
+        let good: Vec<_> = among.iter().filter(has).cloned().collect();
+        let here = self.chosen().origin();
+        let here = good.iter().position(|origin| Some(origin) == here.as_ref());
+        let at = match here {
+            Some(here) => here.checked_add_signed(way).filter(|at| *at < good.len()),
+            None if way > 0 => Some(0),
+            None => good.len().checked_sub(1),
+        };
+        if let Some(origin) = at.and_then(|at| good.get(at)) {
+            self.choose(origin, setter);
+        }
+    }
+
+    /// Loads the preset of that origin, if it can be had.
+    pub(super) fn choose(&mut self, origin: &Origin, setter: &ParamSetter<'_>) {
+        let entry = self.library.find(origin);
+        if let Some(preset) = entry.and_then(|entry| entry.preset.clone().ok()) {
+            self.load(&preset, Some(origin), setter);
+        }
+    }
+
+    /// The sound that is heard as a preset with that card, going on from the chosen one.
+    pub(super) fn capture(&self, card: Card) -> Preset {
+        let values = self.params.iter().map(|param| (param.spec, param.plain()));
+        let sound = Sound {
+            values: values
+                .filter(|(spec, _)| !Sound::is_player_s(spec))
+                .collect(),
+            scala: self.scala(),
+        };
+        match self.chosen().origin().and(self.preset()) {
+            Some(preset) => preset.with(card, sound),
+            None => Preset::new(card, sound),
+        }
+    }
+
+    /// Keeps the sound that is heard under a card.
+    pub(super) fn save(&mut self, card: Card) -> Result<(), Broken> {
+        let preset = self.capture(card);
+        let origin = self.library.save(&preset)?;
+        self.saved.choose(Chosen {
+            key: origin.key(),
+            changed: false,
+            tuned: !preset.sound.scala.is_empty(),
+        });
+        Ok(())
+    }
+
+    /// Gives one of the user's presets another name; it stays chosen.
+    pub(super) fn rename(&mut self, file: &str, to: &str) -> Result<Origin, Broken> {
+        let old = Origin::User(file.to_owned());
+        let new = self.library.rename(file, to)?;
+        let chosen = self.chosen();
+        if chosen.origin() == Some(old) {
+            let key = new.key();
+            self.saved.choose(Chosen { key, ..chosen });
+        }
+        Ok(new)
+    }
+}
