@@ -24,6 +24,8 @@ pub(super) enum Icon {
     Close,
     /// Look for something.
     Find,
+    /// Sound.
+    Hear,
     /// A favourite.
     Star,
     /// No favourite.
@@ -65,6 +67,19 @@ impl Icon {
             Self::Find => {
                 painter.circle_stroke(centre + vec2(-1.0, -1.0), 4.0, stroke);
                 line(&[(2.0, 2.0), (5.5, 5.5)]);
+            }
+            Self::Hear => {
+                line(&[
+                    (-1.0, -5.0),
+                    (-3.5, -2.0),
+                    (-6.0, -2.0),
+                    (-6.0, 2.0),
+                    (-3.5, 2.0),
+                    (-1.0, 5.0),
+                    (-1.0, -5.0),
+                ]);
+                line(&[(2.0, -2.0), (2.8, 0.0), (2.0, 2.0)]);
+                line(&[(4.2, -4.2), (6.0, 0.0), (4.2, 4.2)]);
             }
             Self::Star => star(painter, centre, colour, Stroke::NONE),
             Self::Hollow => star(

@@ -160,11 +160,16 @@ impl Ui {
             &mut self.hands,
             setter,
         );
-        let usual = format!(
-            "Click a body to strike it there; drag across for a glissando. Keys Z S X D C … play from {}, \
-             − and + move them an octave.",
-            key_name(self.row.lowest())
-        );
+        let usual = if self.browser.is_open() {
+            "Up and down go through the presets, Enter and Escape close, a click on a star marks."
+                .into()
+        } else {
+            format!(
+                "Click a body to strike it there; drag across for a glissando. Keys Z S X D C … play from {}, \
+                 − and + move them an octave.",
+                key_name(self.row.lowest())
+            )
+        };
         ui.painter().with_clip_rect(places.hint).text(
             places.hint.left_center(),
             Align2::LEFT_CENTER,
@@ -174,6 +179,9 @@ impl Ui {
         );
         self.session.listen(now_s, false);
         let middle = Rect::from_min_max(places.header.left_bottom(), places.hint.right_top());
+        let ready = self.frame.instrument == index;
+        let position = self.param("pos").map_or(0.0, |param| param.value());
+        self.browser.play(ui, ready, position, &self.link);
         self.browser
             .show(ui, middle, &mut self.session, &theme, setter);
     }

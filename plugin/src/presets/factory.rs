@@ -1,6 +1,7 @@
 //! The presets that come with the plug-in, inside it.
 
 use super::preset::Preset;
+use crate::params::body::INSTRUMENT;
 use std::sync::{Arc, OnceLock};
 
 /// One preset: its file's name, and its content.
@@ -8,7 +9,7 @@ type Entry = (&'static str, &'static str);
 
 include!(concat!(env!("OUT_DIR"), "/presets.rs"));
 
-/// The factory's presets in the order of their files, read once for all instances.
+/// The factory's presets, instrument by instrument and by name, read once for all instances.
 ///
 /// # Panics
 ///
@@ -18,7 +19,10 @@ pub fn factory() -> &'static [Arc<Preset>] {
     READ.get_or_init(|| {
         let read =
             |(file, text): &Entry| Preset::read(text, file).expect("the factory's are whole");
-        FILES.iter().map(read).map(Arc::new).collect()
+        let mut presets: Vec<_> = FILES.iter().map(read).map(Arc::new).collect();
+        let instrument = |preset: &Arc<Preset>| preset.sound.get(INSTRUMENT.id).unwrap_or_default();
+        presets.sort_by(|a, b| instrument(a).total_cmp(&instrument(b)));
+        presets
     })
 }
 
@@ -31,7 +35,8 @@ mod tests {
 
     #[test]
     fn every_file_is_understood_to_the_last_line_and_has_a_whole_card() {
-        for ((file, _), preset) in FILES.iter().zip(factory()) {
+        for (file, text) in FILES {
+            let preset = Preset::read(text, file).unwrap();
             assert_eq!(preset.notices, [], "{file}");
             let card = &preset.card;
             let stem = file.strip_suffix(".toml").unwrap();

@@ -4,7 +4,6 @@ use super::card::Card;
 use super::sound::Sound;
 use crate::factory;
 use crate::params::body::INSTRUMENT;
-use crate::params::specs;
 use toml_edit::DocumentMut;
 
 /// The present version of the format.
@@ -44,21 +43,12 @@ impl Preset {
     /// A new instance's sound, on the instrument of that index.
     #[must_use]
     pub fn init(instrument: usize) -> Self {
-        let values = specs().filter(|spec| !Sound::is_player_s(spec));
-        let values = values.map(|spec| match spec.id {
-            id if id == INSTRUMENT.id => (spec, instrument as f32),
-            _ => (spec, spec.default),
-        });
-        let sound = Sound {
-            values: values.collect(),
-            ..Sound::default()
-        };
         let card = Card {
             name: "Init".to_owned(),
             about: "Everything as in a new instance.".to_owned(),
             ..Card::default()
         };
-        Self::new(card, sound)
+        Self::new(card, Sound::init(instrument))
     }
 
     /// The same sound, under another name.

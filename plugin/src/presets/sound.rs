@@ -1,5 +1,6 @@
 //! What a preset makes of the parameters and of the tuning.
 
+use crate::params::body::INSTRUMENT;
 use crate::params::{GROUPS, Spec, specs};
 
 /// Texts of Scala files; empty where there is none.
@@ -29,6 +30,20 @@ pub struct Sound {
 }
 
 impl Sound {
+    /// That of a new instance, on the instrument of that index.
+    #[must_use]
+    pub fn init(instrument: usize) -> Self {
+        let values = specs().filter(|spec| !Self::is_player_s(spec));
+        let values = values.map(|spec| match spec.id {
+            id if id == INSTRUMENT.id => (spec, instrument as f32),
+            _ => (spec, spec.default),
+        });
+        Self {
+            values: values.collect(),
+            scala: Scala::default(),
+        }
+    }
+
     /// What is said of a parameter.
     #[must_use]
     pub fn get(&self, id: &str) -> Option<f32> {

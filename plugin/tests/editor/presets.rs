@@ -2,13 +2,14 @@
 
 use crate::bench::Bench;
 use crate::host::Said;
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use idiophone::editor::Touch;
 use idiophone::presets::{Preset, factory};
 
 pub(crate) fn click(harness: &mut Harness<'_>, label: &str) {
-    harness.get_by_label(label).click();
+    harness.get_by_role_and_label(Role::Button, label).click();
     harness.run_steps(3);
 }
 
@@ -87,6 +88,26 @@ fn arrows_go_through_what_is_found_and_the_pointer_does_not_reach_beneath() {
     harness.key_press(Key::Escape);
     harness.run_steps(2);
     assert!(harness.query_by_label("Search presets").is_none());
+}
+
+#[test]
+fn presets_are_heard_as_they_are_chosen_if_that_is_wanted() {
+    let bench = Bench::new("chimes");
+    let mut harness = bench.harness();
+    click(&mut harness, "Presets");
+    click(&mut harness, "Brass clapper");
+    harness.run_steps(30);
+    assert_eq!(bench.touches(), []);
+    click(&mut harness, "Hear each preset");
+    click(&mut harness, "Garden chimes");
+    harness.run_steps(30);
+    let touches = bench.touches();
+    assert!(
+        matches!(touches[..], [Touch::Strike { key: 60, .. }]),
+        "{touches:?}"
+    );
+    harness.run_steps(90);
+    assert_eq!(bench.touches(), [Touch::Release { key: 60 }]);
 }
 
 #[test]

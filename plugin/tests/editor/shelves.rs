@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 use crate::presets::{click, type_text};
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use std::fs;
@@ -83,7 +83,8 @@ fn a_preset_is_renamed_deleted_and_marked() {
     click(&mut harness, "Delete");
     assert!(!presets(home.path()).join("Two.toml").exists());
     assert!(presets(home.path()).join("Deleted/Two.toml").is_file());
-    assert!(harness.query_by_label("Two").is_none());
+    let line = harness.query_by_role_and_label(Role::Button, "Two");
+    assert!(line.is_none());
 }
 
 #[test]

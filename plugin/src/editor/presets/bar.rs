@@ -90,9 +90,7 @@ pub(in super::super) fn bar(
 /// The name, which opens and closes the browser.
 fn name(ui: &Ui, rect: Rect, session: &mut Session, browser: &mut Browser, theme: &Theme) {
     let chosen = session.chosen();
-    let text = session
-        .preset()
-        .map_or_else(|| chosen.name(), |preset| preset.card.name.clone());
+    let text = session.name();
     let response = ui.interact(rect, Id::unique("preset name"), Sense::click());
     response.widget_info(|| WidgetInfo {
         current_text_value: Some(text.clone()),

@@ -1,9 +1,11 @@
 //! The browser over the window's middle: shelves, presets, and the card of one.
 
 use super::super::icon::Icon;
+use super::super::link::Link;
 use super::super::theme::{APART, CORNER, NEAR, SIDE, Theme, body, small};
 use super::button::sign;
 use super::form::{Form, Outcome};
+use super::hearing::Hearing;
 use super::session::Session;
 use crate::presets::{Broken, Origin, Search};
 use egui::{
@@ -25,6 +27,7 @@ pub(in super::super) struct Browser {
     pub(super) form: Option<Form>,
     /// What was last done, or why not.
     message: Option<Result<String, String>>,
+    pub(super) hearing: Hearing,
     /// Just opened: takes the keyboard.
     fresh: bool,
     /// The list is to go where the chosen preset is.
@@ -64,8 +67,7 @@ impl Browser {
 
     /// Opens it to save what is heard.
     pub(super) fn begin_saving(&mut self, session: &mut Session) {
-        let card = session.preset().map(|preset| preset.card.clone());
-        self.begin(Form::save(card.unwrap_or_default()), session);
+        self.begin(Form::save(session.card()), session);
     }
 
     /// Opens it to take in a file.
@@ -75,8 +77,7 @@ impl Browser {
 
     /// Opens it to write what is heard to a file.
     pub(super) fn begin_exporting(&mut self, session: &mut Session) {
-        let card = session.preset().map(|preset| preset.card.clone());
-        let preset = session.capture(card.unwrap_or_default());
+        let preset = session.capture(session.card());
         self.begin(Form::export(preset, &session.library), session);
     }
 
@@ -90,6 +91,11 @@ impl Browser {
     /// Says what came of something.
     pub(super) fn say(&mut self, done: Result<String, Broken>) {
         self.message = Some(done.map_err(|broken| broken.to_string()));
+    }
+
+    /// Plays the preset that was chosen, if that is wanted and its instrument `ready`.
+    pub(in super::super) fn play(&mut self, ui: &Ui, ready: bool, position: f32, link: &Link) {
+        self.hearing.play(ui, ready, position, link);
     }
 
     /// Draws it over `area`, if it is open.
@@ -141,6 +147,7 @@ impl Browser {
             if pressed(key) {
                 let among = self.found(session);
                 session.next(way, &among, setter);
+                self.hearing.ask(ui.input(|input| input.time));
                 self.shown = None;
                 self.seek = true;
             }
@@ -176,7 +183,10 @@ impl Browser {
             theme.glow,
         );
         self.shelves(&mut part(ui, "shelves", body(left)), session, theme);
-        self.find(ui, head(middle), theme);
+        let mut search = head(middle);
+        search.max.x -= 30.0;
+        self.find(ui, search, theme);
+        self.ear(ui, head(middle), theme);
         self.list(&mut part(ui, "list", body(middle)), session, theme, setter);
         let close = Rect::from_min_size(pos2(right.right() - 26.0, right.top()), vec2(26.0, 26.0));
         if sign(ui, close, Icon::Close, "Close presets", true, theme).clicked() {
@@ -207,6 +217,20 @@ impl Browser {
             },
             None => self.card(&mut ui, session, theme, setter),
         }
+    }
+
+    /// The button by which presets are heard as they are chosen.
+    fn ear(&mut self, ui: &Ui, head: Rect, theme: &Theme) {
+        let size = vec2(26.0, head.height());
+        let rect = Rect::from_min_size(pos2(head.right() - size.x, head.top()), size);
+        let response = sign(ui, rect, Icon::Hear, "Hear each preset", true, theme);
+        if response.clicked() {
+            self.hearing.on = !self.hearing.on;
+        }
+        if self.hearing.on {
+            Icon::Hear.paint(ui.painter(), rect, theme.glow);
+        }
+        response.on_hover_text("Strike C4 whenever a preset is chosen here");
     }
 
     /// The field to type words in.

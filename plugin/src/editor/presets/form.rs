@@ -4,7 +4,8 @@ use super::super::theme::{NEAR, SIDE, Theme, body, small, title};
 use super::button::word;
 use super::session::Session;
 use crate::presets::{Broken, Card, Library, Preset};
-use egui::{Align2, Key, Label, RichText, Sense, TextEdit, Ui, vec2};
+use egui::text::{CCursor, CCursorRange};
+use egui::{Align2, Id, Key, Label, RichText, Sense, TextEdit, Ui, vec2};
 use std::path::Path;
 
 /// A form that is open.
@@ -192,6 +193,16 @@ fn field(
     let response = ui.add(edit).accessible_name(name);
     if fresh {
         response.request_focus();
+        select(ui, response.id, text);
     }
     rows == 1 && response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+}
+
+/// Selects all that is in a field, for what is typed to take its place.
+fn select(ui: &Ui, id: Id, text: &str) {
+    let end = CCursor::new(text.chars().count());
+    let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+    let all = CCursorRange::two(CCursor::new(0), end);
+    state.cursor.set_char_range(Some(all));
+    TextEdit::store_state(ui.ctx(), id, state);
 }

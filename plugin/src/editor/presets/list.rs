@@ -5,12 +5,15 @@ use super::super::theme::{SIDE, Theme, body, small};
 use super::browser::Browser;
 use super::button::{line, sign};
 use super::session::Session;
-use crate::presets::{Entry, Origin};
+use crate::presets::{Entry, Origin, Preset};
+use egui::style::ScrollAnimation;
 use egui::{Align, Align2, Rect, ScrollArea, Sense, Ui, pos2, vec2};
 use nice_plug::prelude::ParamSetter;
 
 /// Height of a line.
 const LINE: f32 = 26.0;
+/// From a line's left end to its tags.
+const TAGS: f32 = 190.0;
 
 impl Browser {
     /// Draws the list; a click on a line loads its preset, one on its star marks it.
@@ -44,7 +47,11 @@ impl Browser {
                     let here = self.shown.as_ref().or(chosen.as_ref()) == Some(origin);
                     if here && self.seek {
                         self.seek = false;
-                        ui.scroll_to_rect(rect, Some(Align::Center));
+                        ui.scroll_to_rect_animation(
+                            rect,
+                            Some(Align::Center),
+                            ScrollAnimation::none(),
+                        );
                     }
                     if ui.is_rect_visible(rect) {
                         match row(ui, rect, entry, here, theme) {
@@ -63,6 +70,7 @@ impl Browser {
         if let Some(origin) = clicked {
             self.form = None;
             session.choose(&origin, setter);
+            self.hearing.ask(ui.input(|input| input.time));
             self.shown = is_broken(session, &origin).then_some(origin);
         }
     }
@@ -133,6 +141,9 @@ fn row(ui: &Ui, rect: Rect, entry: &Entry, here: bool, theme: &Theme) -> Option<
         body(),
         ink,
     );
+    if let Ok(preset) = &entry.preset {
+        tags(ui, room, preset, theme);
+    }
     if mark.clicked() {
         return Some(Hit::Star);
     }
@@ -142,4 +153,20 @@ fn row(ui: &Ui, rect: Rect, entry: &Entry, here: bool, theme: &Theme) -> Option<
         Err(reason) => response.on_hover_text(reason),
     };
     hit
+}
+
+/// The first tags, where there is room between the name and the instrument.
+fn tags(ui: &Ui, room: Rect, preset: &Preset, theme: &Theme) {
+    let left = room.left() + TAGS;
+    if room.right() < left + 120.0 {
+        return;
+    }
+    let place = Rect::from_min_max(pos2(left, room.top()), room.max);
+    ui.painter_at(place).text(
+        place.left_center(),
+        Align2::LEFT_CENTER,
+        preset.card.tags_text(),
+        small(),
+        theme.quiet,
+    );
 }

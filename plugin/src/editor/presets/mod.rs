@@ -5,6 +5,7 @@ mod browser;
 mod button;
 mod card;
 mod form;
+mod hearing;
 mod list;
 mod session;
 mod shelves;

@@ -5,7 +5,8 @@ use super::super::history::{Past, Side, Step};
 use super::super::log::{Change, Log};
 use super::super::param::Param;
 use super::super::saved::Saved;
-use crate::params::{Controls, body::INSTRUMENT};
+use crate::params::body::INSTRUMENT;
+use crate::params::{Controls, Spec};
 use crate::presets::{Broken, Card, Library, Origin, Preset, Scala, Sound};
 use crate::user_folder;
 use nice_plug::prelude::ParamSetter;
@@ -70,33 +71,68 @@ impl Session {
     /// The chosen preset, or that of a new instance.
     pub(super) fn preset(&self) -> Option<Arc<Preset>> {
         match self.chosen().origin() {
-            None => Some(Arc::new(self.init())),
+            None => Some(Arc::new(Preset::init(self.instrument()))),
             Some(origin) => self.library.find(&origin)?.preset.clone().ok(),
         }
     }
 
-    /// A new instance's sound on the instrument that is played.
-    fn init(&self) -> Preset {
-        let instrument = self.param(INSTRUMENT.id).map_or(0.0, Param::plain).round();
+    /// The chosen preset's name.
+    pub(super) fn name(&self) -> String {
+        let chosen = self.chosen();
+        let entry = chosen
+            .origin()
+            .and_then(|origin| self.library.find(&origin));
+        entry.map_or_else(|| chosen.name(), |entry| entry.name().to_owned())
+    }
+
+    /// The card to save under: the chosen one's, as far as it is the user's to sign.
+    pub(super) fn card(&self) -> Card {
+        let card = self.preset().map(|preset| preset.card.clone());
+        let mut card = card.unwrap_or_default();
+        if !matches!(self.chosen().origin(), Some(Origin::User(_))) {
+            let mine = self
+                .library
+                .entries()
+                .iter()
+                .filter(|entry| entry.is_user_s());
+            let mut authors =
+                mine.filter_map(|entry| Some(&entry.preset.as_ref().ok()?.card.author));
+            card.author = authors.next().cloned().unwrap_or_default();
+        }
+        card
+    }
+
+    /// Index of the instrument that is played.
+    fn instrument(&self) -> usize {
+        let plain = self.param(INSTRUMENT.id).map_or(0.0, Param::plain).round();
         #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
-        Preset::init(instrument as usize)
+        let index = plain as usize;
+        index
     }
 
     /// Finds out whether the sound is still the chosen preset's, as far as that is there.
     pub(in super::super) fn compare(&self) {
-        let Some(preset) = self.preset() else {
-            return;
-        };
-        let differs = |(spec, plain): (&crate::params::Spec, f32)| {
-            let now = self.param(spec.id).map(Param::plain);
-            now.is_some_and(|now| now != plain && spec.format(now) != spec.format(plain))
-        };
         let chosen = self.chosen();
-        let retuned = !preset.sound.scala.is_empty() && preset.sound.scala != self.scala();
-        let changed = retuned || preset.sound.wanted().any(differs);
+        let changed = match chosen.origin() {
+            None => self.differs(&Sound::init(self.instrument())),
+            Some(origin) => match self.library.find(&origin).map(|entry| &entry.preset) {
+                Some(Ok(preset)) => self.differs(&preset.sound),
+                _ => return,
+            },
+        };
         if changed != chosen.changed {
             self.saved.choose(Chosen { changed, ..chosen });
         }
+    }
+
+    /// Whether something that is shown differs from a sound.
+    fn differs(&self, sound: &Sound) -> bool {
+        let differs = |(spec, plain): (&Spec, f32)| {
+            let now = self.param(spec.id).map(Param::plain);
+            now.is_some_and(|now| now != plain && spec.format(now) != spec.format(plain))
+        };
+        let retuned = !sound.scala.is_empty() && sound.scala != self.scala();
+        retuned || sound.wanted().any(differs)
     }
 
     fn scala(&self) -> Scala {
@@ -210,7 +246,7 @@ impl Session {
         setter: &ParamSetter<'_>,
     ) {
         let wanted = preset.sound.wanted();
-        let place = |(spec, plain): (&'static crate::params::Spec, f32)| {
+        let place = |(spec, plain): (&'static Spec, f32)| {
             Some((spec.id, self.param(spec.id)?.place(plain)))
         };
         let values = wanted.filter_map(place).collect();
@@ -235,7 +271,7 @@ impl Session {
 
     /// Everything as in a new instance, but for the instrument.
     pub(super) fn reset(&mut self, setter: &ParamSetter<'_>) {
-        let init = self.init();
+        let init = Preset::init(self.instrument());
         self.load(&init, None, setter);
     }
 
