@@ -69,3 +69,36 @@ impl Desk {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Desk;
+    use crate::editor::Chosen;
+    use crate::params::heal;
+    use nice_plug::prelude::PluginState;
+    use std::collections::BTreeMap;
+    use std::sync::Arc;
+
+    #[test]
+    fn the_chosen_preset_travels_with_the_song_and_an_older_song_has_none() {
+        let (desk, controls) = (Desk::default(), Arc::default());
+        let params = desk.params(&controls);
+        let old = Chosen {
+            key: "user/A.toml".to_owned(),
+            changed: true,
+            tuned: true,
+        };
+        desk.saved.choose(old.clone());
+        let fields = params.serialize_fields();
+        let mut older = PluginState {
+            version: String::new(),
+            params: BTreeMap::new(),
+            fields: BTreeMap::new(),
+        };
+        heal(&mut older);
+        params.deserialize_fields(&older.fields);
+        assert_eq!(desk.saved.chosen(), Chosen::default());
+        params.deserialize_fields(&fields);
+        assert_eq!(desk.saved.chosen(), old);
+    }
+}

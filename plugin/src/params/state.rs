@@ -88,6 +88,24 @@ mod tests {
         assert_eq!(field("7").0, "\"\"");
     }
 
+    #[test]
+    fn a_song_from_before_presets_has_none_and_one_with_a_preset_keeps_it() {
+        let field = |saved: Option<&str>| {
+            let saved = saved.map(|text| (PRESET.to_owned(), text.to_owned()));
+            let mut state = PluginState {
+                version: String::new(),
+                params: BTreeMap::new(),
+                fields: saved.into_iter().collect(),
+            };
+            heal(&mut state);
+            deserialize_field::<(String, bool, bool)>(&state.fields[PRESET]).unwrap()
+        };
+        assert_eq!(field(None), (String::new(), false, false));
+        assert_eq!(field(Some("[3]")), (String::new(), false, false));
+        let mine = ("user/A.toml".to_owned(), true, false);
+        assert_eq!(field(Some("[\"user/A.toml\",true,false]")), mine);
+    }
+
     fn number(params: &BTreeMap<String, ParamValue>, id: &str) -> f32 {
         match params.get(id) {
             Some(ParamValue::F32(value)) => *value,

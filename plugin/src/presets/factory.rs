@@ -28,7 +28,7 @@ pub fn factory() -> &'static [Arc<Preset>] {
 
 #[cfg(test)]
 mod tests {
-    use super::{FILES, factory};
+    use super::{FILES, Preset, factory};
     use crate::factory::titles;
     use modes::tuning::Scale;
     use std::collections::HashSet;
@@ -69,6 +69,19 @@ mod tests {
                 .filter(|preset| preset.instrument() == title)
                 .count();
             assert!(count >= 4, "{title}: {count}");
+        }
+    }
+
+    /// Bodies are an octave lower at twice the size, at four times the density and at a quarter of the
+    /// stiffness.
+    #[test]
+    fn keys_stay_in_tune_but_for_octaves() {
+        for preset in factory() {
+            let get = |id| f64::from(preset.sound.get(id).unwrap_or(1.0));
+            let ratio = (get("stiff") / get("dens")).sqrt() / get("size");
+            let octaves = ratio.log2();
+            let cents = 1200.0 * (octaves - octaves.round());
+            assert!(cents.abs() < 1.0, "{}: {cents} cents", preset.card.name);
         }
     }
 

@@ -3,7 +3,7 @@
 use super::super::theme::{NEAR, SIDE, Theme, body, small, title};
 use super::button::word;
 use super::session::Session;
-use crate::presets::{Broken, Card, Library, Preset};
+use crate::presets::{Broken, Card, Folder, Library, Preset};
 use egui::text::{CCursor, CCursorRange};
 use egui::{Align2, Id, Key, Label, RichText, Sense, TextEdit, Ui, vec2};
 use std::path::Path;
@@ -92,7 +92,8 @@ impl Form {
             RichText::new(heading).font(title()).color(theme.text),
         ));
         ui.add_space(NEAR);
-        let entered = self.fields(ui, theme);
+        let folder = session.library.folder();
+        let entered = self.fields(ui, folder.as_ref(), theme);
         ui.add_space(SIDE);
         let (mut wanted, mut given_up) = (entered, false);
         ui.horizontal(|ui| {
@@ -110,15 +111,13 @@ impl Form {
     }
 
     /// Draws what there is to fill in; whether Enter was pressed there.
-    fn fields(&mut self, ui: &mut Ui, theme: &Theme) -> bool {
+    fn fields(&mut self, ui: &mut Ui, folder: Option<&Folder>, theme: &Theme) -> bool {
         let fresh = std::mem::take(&mut self.fresh);
         match &mut self.task {
             Task::Save { card, tags } => {
                 let entered = field(ui, "Name", &mut card.name, 1, fresh, theme);
                 field(ui, "Kind", &mut card.category, 1, false, theme);
-                if field(ui, "Tags, with commas between", tags, 1, false, theme) {
-                    ui.ctx().request_repaint();
-                }
+                field(ui, "Tags, with commas between", tags, 1, false, theme);
                 card.set_tags(tags);
                 field(ui, "Author", &mut card.author, 1, false, theme);
                 field(ui, "What it is for", &mut card.about, 3, false, theme);
@@ -127,10 +126,18 @@ impl Form {
             Task::Rename { name, .. } => field(ui, "Name", name, 1, fresh, theme),
             Task::Delete { file } => {
                 let text = format!("{file} goes to the folder Deleted beside the presets.");
-                ui.add(Label::new(RichText::new(text).font(body()).color(theme.text)).wrap());
+                note(ui, &text, theme);
                 false
             }
-            Task::Import { path } => field(ui, "File to import", path, 1, fresh, theme),
+            Task::Import { path } => {
+                let entered = field(ui, "File to import", path, 1, fresh, theme);
+                if let Some(folder) = folder {
+                    let path = folder.path().display();
+                    let text = format!("What is put into {path} is here too.");
+                    note(ui, &text, theme);
+                }
+                entered
+            }
             Task::Export { path, .. } => field(ui, "File to write", path, 1, fresh, theme),
         }
     }
@@ -196,6 +203,12 @@ fn field(
         select(ui, response.id, text);
     }
     rows == 1 && response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+}
+
+/// What is to be known beside the fields.
+fn note(ui: &mut Ui, text: &str, theme: &Theme) {
+    let text = RichText::new(text).font(body()).color(theme.quiet);
+    ui.add(Label::new(text).wrap());
 }
 
 /// Selects all that is in a field, for what is typed to take its place.
