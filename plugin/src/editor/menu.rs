@@ -23,10 +23,10 @@ pub(super) fn menu(
         if ui.button(reset).clicked() {
             param.put(setter, param.default());
         }
-        if let Some(typing) = typing {
-            if ui.button("Type a value…").clicked() {
-                typing.open(param);
-            }
+        if let Some(typing) = typing
+            && ui.button("Type a value…").clicked()
+        {
+            typing.open(param);
         }
         ui.separator();
         if ui.button("Copy value").clicked() {

@@ -202,7 +202,7 @@ mod tests {
             let text = format!("name = \"A\"\n[sound]\ngain = \"{gain}\"\n");
             level(&Preset::read(&text, "a").unwrap())
         };
-        let (soft, loud) = (at("-20 dB"), at("-10 dB"));
+        let (soft, loud) = (at("0 dB"), at("10 dB"));
         assert!((loud.lufs - soft.lufs - 10.0).abs() < 0.05);
         assert!((loud.peak_dbfs - soft.peak_dbfs - 10.0).abs() < 0.05);
     }

@@ -101,20 +101,20 @@ impl Browser {
             if word(ui, "Save as…", session.chosen().changed, theme).clicked() {
                 self.begin_saving(session);
             }
-            if let (Some(Origin::User(file)), Some(preset)) = (origin, preset) {
-                if word(ui, "Rename…", false, theme).clicked() {
-                    self.form = Some(Form::rename(file, &preset.card.name));
-                }
+            if let (Some(Origin::User(file)), Some(preset)) = (origin, preset)
+                && word(ui, "Rename…", false, theme).clicked()
+            {
+                self.form = Some(Form::rename(file, &preset.card.name));
             }
-            if let Some(Origin::User(file)) = origin {
-                if word(ui, "Delete…", false, theme).clicked() {
-                    self.form = Some(Form::delete(file));
-                }
+            if let Some(Origin::User(file)) = origin
+                && word(ui, "Delete…", false, theme).clicked()
+            {
+                self.form = Some(Form::delete(file));
             }
-            if let Some(preset) = preset {
-                if word(ui, "Export…", false, theme).clicked() {
-                    self.form = Some(Form::export(preset.clone(), &session.library));
-                }
+            if let Some(preset) = preset
+                && word(ui, "Export…", false, theme).clicked()
+            {
+                self.form = Some(Form::export(preset.clone(), &session.library));
             }
             if word(ui, "Import…", false, theme).clicked() {
                 self.form = Some(Form::import());

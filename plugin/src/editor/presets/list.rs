@@ -62,10 +62,10 @@ impl Browser {
                     }
                 }
             });
-        if let Some((origin, on)) = marked {
-            if let Err(broken) = session.library.mark(&origin, on) {
-                self.say(Err(broken));
-            }
+        if let Some((origin, on)) = marked
+            && let Err(broken) = session.library.mark(&origin, on)
+        {
+            self.say(Err(broken));
         }
         if let Some(origin) = clicked {
             self.form = None;

@@ -6,9 +6,11 @@ mod button;
 mod card;
 mod form;
 mod hearing;
+mod keeping;
 mod list;
 mod session;
 mod shelves;
+mod steps;
 mod tools;
 
 pub(super) use bar::bar;

@@ -1,13 +1,13 @@
 //! What is done with presets, steps and sides, through the host.
 
 use super::super::chosen::Chosen;
-use super::super::history::{Past, Side, Step};
-use super::super::log::{Change, Log};
+use super::super::history::{Past, Side};
+use super::super::log::Log;
 use super::super::param::Param;
 use super::super::saved::Saved;
 use crate::params::body::INSTRUMENT;
 use crate::params::{Controls, Spec};
-use crate::presets::{Broken, Card, Library, Origin, Preset, Scala, Sound};
+use crate::presets::{Library, Origin, Preset, Scala, Sound};
 use crate::user_folder;
 use nice_plug::prelude::ParamSetter;
 use std::path::PathBuf;
@@ -16,8 +16,8 @@ use std::sync::Arc;
 /// Presets, steps and sides of a window.
 pub(in super::super) struct Session {
     controls: Arc<Controls>,
-    saved: Arc<Saved>,
-    params: Vec<Param>,
+    pub(super) saved: Arc<Saved>,
+    pub(super) params: Vec<Param>,
     log: Arc<Log>,
     pub(super) past: Past,
     pub(super) library: Library,
@@ -51,7 +51,7 @@ impl Session {
         self.library = Library::open(home);
     }
 
-    fn param(&self, id: &str) -> Option<&Param> {
+    pub(super) fn param(&self, id: &str) -> Option<&Param> {
         self.params.iter().find(|param| param.spec.id == id)
     }
 
@@ -83,23 +83,6 @@ impl Session {
             .origin()
             .and_then(|origin| self.library.find(&origin));
         entry.map_or_else(|| chosen.name(), |entry| entry.name().to_owned())
-    }
-
-    /// The card to save under: the chosen one's, as far as it is the user's to sign.
-    pub(super) fn card(&self) -> Card {
-        let card = self.preset().map(|preset| preset.card.clone());
-        let mut card = card.unwrap_or_default();
-        if !matches!(self.chosen().origin(), Some(Origin::User(_))) {
-            let mine = self
-                .library
-                .entries()
-                .iter()
-                .filter(|entry| entry.is_user_s());
-            let mut authors =
-                mine.filter_map(|entry| Some(&entry.preset.as_ref().ok()?.card.author));
-            card.author = authors.next().cloned().unwrap_or_default();
-        }
-        card
     }
 
     /// Index of the instrument that is played.
@@ -135,7 +118,7 @@ impl Session {
         retuned || sound.wanted().any(differs)
     }
 
-    fn scala(&self) -> Scala {
+    pub(super) fn scala(&self) -> Scala {
         let texts = self.controls.tuning();
         Scala {
             scale: texts.scale(),
@@ -143,99 +126,10 @@ impl Session {
         }
     }
 
-    fn set_scala(&self, scala: &Scala) {
+    pub(super) fn set_scala(&self, scala: &Scala) {
         let texts = self.controls.tuning();
         texts.set_scale(scala.scale.clone());
         texts.set_keyboard(scala.keyboard.clone());
-    }
-
-    /// What is heard now.
-    fn side(&self) -> Side {
-        let place = |param: &Param| (param.spec.id, param.value());
-        Side {
-            values: self.params.iter().map(place).collect(),
-            scala: self.scala(),
-            chosen: self.chosen(),
-        }
-    }
-
-    /// Goes to a sound in one step: one gesture for each parameter that differs.
-    fn go(&mut self, to: &Side, name: String, heard: usize, setter: &ParamSetter<'_>) {
-        let mut changes = Vec::new();
-        for (id, to) in &to.values {
-            let Some(param) = self.param(id) else {
-                continue;
-            };
-            let from = param.value();
-            if from != *to {
-                param.jump(setter, *to);
-                let (id, to) = (param.spec.id, *to);
-                changes.push(Change { id, from, to });
-            }
-        }
-        let (scala, chosen) = (self.scala(), self.chosen());
-        if scala != to.scala {
-            self.set_scala(&to.scala);
-        }
-        self.saved.choose(to.chosen.clone());
-        self.past.history.push(Step {
-            name,
-            changes,
-            scala: (scala != to.scala).then(|| [scala, to.scala.clone()]),
-            chosen: Some([chosen, to.chosen.clone()]),
-            side: (heard != self.past.heard).then_some([self.past.heard, heard]),
-        });
-        self.past.heard = heard;
-    }
-
-    /// Takes a step back (0) or forward (1).
-    fn step(&mut self, step: &Step, way: usize, setter: &ParamSetter<'_>) {
-        for change in &step.changes {
-            if let Some(param) = self.param(change.id) {
-                param.jump(setter, [change.from, change.to][way]);
-            }
-        }
-        if let Some(scala) = &step.scala {
-            self.set_scala(&scala[way]);
-        }
-        if let Some(chosen) = &step.chosen {
-            self.saved.choose(chosen[way].clone());
-        }
-        if let Some(side) = step.side {
-            self.past.heard = side[way];
-        }
-    }
-
-    /// Undoes the last step.
-    pub(in super::super) fn undo(&mut self, setter: &ParamSetter<'_>) {
-        if let Some(step) = self.past.history.undo() {
-            self.step(&step, 0, setter);
-        }
-    }
-
-    /// Does the step again that was undone last.
-    pub(in super::super) fn redo(&mut self, setter: &ParamSetter<'_>) {
-        if let Some(step) = self.past.history.redo() {
-            self.step(&step, 1, setter);
-        }
-    }
-
-    /// Hears the other side of the comparison; a side that was never heard begins as this one.
-    pub(super) fn turn(&mut self, side: usize, setter: &ParamSetter<'_>) {
-        if side == self.past.heard {
-            return;
-        }
-        let here = self.side();
-        let there = self.past.sides[side]
-            .clone()
-            .unwrap_or_else(|| here.clone());
-        self.past.sides[self.past.heard] = Some(here);
-        self.go(&there, format!("side {}", ["A", "B"][side]), side, setter);
-    }
-
-    /// Makes the other side the same as this one.
-    pub(super) fn copy(&mut self) {
-        self.past.sides[1 - self.past.heard] = Some(self.side());
     }
 
     /// Loads a preset, in one step.
@@ -297,44 +191,5 @@ impl Session {
         if let Some(preset) = entry.and_then(|entry| entry.preset.clone().ok()) {
             self.load(&preset, Some(origin), setter);
         }
-    }
-
-    /// The sound that is heard as a preset with that card, going on from the chosen one.
-    pub(super) fn capture(&self, card: Card) -> Preset {
-        let values = self.params.iter().map(|param| (param.spec, param.plain()));
-        let sound = Sound {
-            values: values
-                .filter(|(spec, _)| !Sound::is_player_s(spec))
-                .collect(),
-            scala: self.scala(),
-        };
-        match self.chosen().origin().and(self.preset()) {
-            Some(preset) => preset.with(card, sound),
-            None => Preset::new(card, sound),
-        }
-    }
-
-    /// Keeps the sound that is heard under a card.
-    pub(super) fn save(&mut self, card: Card) -> Result<(), Broken> {
-        let preset = self.capture(card);
-        let origin = self.library.save(&preset)?;
-        self.saved.choose(Chosen {
-            key: origin.key(),
-            changed: false,
-            tuned: !preset.sound.scala.is_empty(),
-        });
-        Ok(())
-    }
-
-    /// Gives one of the user's presets another name; it stays chosen.
-    pub(super) fn rename(&mut self, file: &str, to: &str) -> Result<Origin, Broken> {
-        let old = Origin::User(file.to_owned());
-        let new = self.library.rename(file, to)?;
-        let chosen = self.chosen();
-        if chosen.origin() == Some(old) {
-            let key = new.key();
-            self.saved.choose(Chosen { key, ..chosen });
-        }
-        Ok(new)
     }
 }
