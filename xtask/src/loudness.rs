@@ -95,8 +95,8 @@ mod tests {
 
     fn sine(hz: f64, level_dbfs: f64, seconds: f64, rate_hz: f64) -> Vec<f32> {
         let peak = 10f64.powf(level_dbfs / 20.0);
-        (0..(seconds * rate_hz) as u32)
-            .map(|i| (peak * (2.0 * PI * hz * f64::from(i) / rate_hz).sin()) as f32)
+        (0..crate::whole::whole(seconds * rate_hz))
+            .map(|i| (peak * (2.0 * PI * hz * i as f64 / rate_hz).sin()) as f32)
             .collect()
     }
 

@@ -19,7 +19,7 @@ use super::theme::{APART, CORNER, NEAR, Theme, small};
 use crate::engine::{Settings, contact_s};
 use crate::factory;
 use crate::params::Controls;
-use egui::{Align2, CornerRadius, Key, Modifiers, Rect, pos2, vec2};
+use egui::{Align2, CornerRadius, Rect, pos2, vec2};
 use nice_plug::prelude::ParamSetter;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -102,7 +102,7 @@ impl Ui {
         {
             self.hands.hold.let_go(setter);
         }
-        steps(ui, &mut self.session, setter);
+        self.session.keys(ui, setter);
         let instrument = self.param("instr");
         #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
         let index = instrument.as_ref().map_or(0.0, Param::plain).round() as usize;
@@ -221,20 +221,6 @@ impl Ui {
             setter,
         };
         self.row.show(ui, area, &stage, &mut self.hands.hold)
-    }
-}
-
-/// Undoes and does again by key.
-fn steps(ui: &egui::Ui, session: &mut Session, setter: &ParamSetter<'_>) {
-    if ui.ctx().text_edit_focused() {
-        return;
-    }
-    let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
-    let shifted = Modifiers::COMMAND | Modifiers::SHIFT;
-    if pressed(shifted, Key::Z) || pressed(Modifiers::COMMAND, Key::Y) {
-        session.redo(setter);
-    } else if pressed(Modifiers::COMMAND, Key::Z) {
-        session.undo(setter);
     }
 }
 

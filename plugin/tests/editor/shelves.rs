@@ -62,6 +62,25 @@ fn a_sound_is_saved_and_found_again() {
 }
 
 #[test]
+fn one_s_own_may_be_called_as_a_factory_s() {
+    let (bench, _home) = at_home();
+    bench.set("alpha2", 0.5);
+    let value = bench.text("alpha2");
+    let mut harness = bench.harness();
+    save(&mut harness, "Brass clapper", "a");
+    click(&mut harness, "Shelf My presets");
+    click(&mut harness, "Brass clapper");
+    assert_eq!(bench.text("alpha2"), value);
+    click(&mut harness, "Shelf All presets");
+    let both = harness.query_all_by_role_and_label(Role::Button, "Brass clapper");
+    let second = both.max_by(|a, b| a.rect().top().total_cmp(&b.rect().top()));
+    second.unwrap().click();
+    harness.run_steps(3);
+    assert_eq!(bench.saved.chosen().key, "factory/Brass clapper");
+    assert_eq!(bench.value("alpha2").0, bench.value("alpha2").1);
+}
+
+#[test]
 fn a_preset_is_renamed_deleted_and_marked() {
     let (bench, home) = at_home();
     let mut harness = bench.harness();

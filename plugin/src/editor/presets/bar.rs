@@ -32,7 +32,7 @@ pub(in super::super) fn bar(
     ] {
         let response = sign(ui, button(x), icon, name, true, theme);
         if response.clicked() {
-            let among = browser.found(session);
+            let among = browser.among(session);
             session.next(way, &among, setter);
         }
         response.on_hover_text(name);

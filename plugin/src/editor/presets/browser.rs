@@ -81,6 +81,16 @@ impl Browser {
         self.begin(Form::export(preset, &session.library), session);
     }
 
+    /// What the bar's arrows go through: what is found, or all if that is nothing.
+    pub(super) fn among(&self, session: &Session) -> Vec<Origin> {
+        let found = self.found(session);
+        if found.is_empty() {
+            Self::default().found(session)
+        } else {
+            found
+        }
+    }
+
     /// What is found, in its order.
     pub(super) fn found(&self, session: &Session) -> Vec<Origin> {
         let entries = session.library.entries().iter();

@@ -7,7 +7,7 @@ use egui::{
     Ui, WidgetInfo, vec2,
 };
 
-/// A button with a sign; dim and dead unless it is of use.
+/// A button with a sign; dim and dead unless it is of use. There is one of that name.
 pub(super) fn sign(
     ui: &Ui,
     rect: Rect,
@@ -16,8 +16,20 @@ pub(super) fn sign(
     live: bool,
     theme: &Theme,
 ) -> Response {
+    one_of(ui, rect, icon, (name, name), live, theme)
+}
+
+/// One of several buttons with a sign and a name; each has a key of its own before that.
+pub(super) fn one_of(
+    ui: &Ui,
+    rect: Rect,
+    icon: Icon,
+    (key, name): (&str, &str),
+    live: bool,
+    theme: &Theme,
+) -> Response {
     let sense = if live { Sense::click() } else { Sense::hover() };
-    let response = ui.interact(rect, Id::unique(("sign", name)), sense);
+    let response = ui.interact(rect, Id::unique(("sign", key)), sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, live, name));
     let lit = live && (response.hovered() || response.has_focus());
     if lit {
@@ -94,9 +106,16 @@ pub(super) fn tag(ui: &mut Ui, text: &str, theme: &Theme) -> Response {
     response.on_hover_cursor(CursorIcon::PointingHand)
 }
 
-/// A line that can be chosen; its name is left to the caller to draw.
-pub(super) fn line(ui: &Ui, rect: Rect, name: &str, chosen: bool, theme: &Theme) -> Response {
-    let response = ui.interact(rect, Id::unique(("line", name)), Sense::click());
+/// A line that can be chosen, with a key of its own; its name is left to the caller to draw.
+pub(super) fn line(
+    ui: &Ui,
+    rect: Rect,
+    key: &str,
+    name: &str,
+    chosen: bool,
+    theme: &Theme,
+) -> Response {
+    let response = ui.interact(rect, Id::unique(("line", key)), Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, name));
     let fill = if chosen {
         Theme::mix(theme.panel, theme.glow, 0.22)

@@ -3,7 +3,7 @@
 use super::super::icon::Icon;
 use super::super::theme::{SIDE, Theme, body, small};
 use super::browser::Browser;
-use super::button::{line, sign};
+use super::button::{line, one_of};
 use super::session::Session;
 use crate::presets::{Entry, Origin, Preset};
 use egui::style::ScrollAnimation;
@@ -99,11 +99,11 @@ enum Hit {
 }
 
 fn row(ui: &Ui, rect: Rect, entry: &Entry, here: bool, theme: &Theme) -> Option<Hit> {
-    let name = entry.name();
-    let response = line(ui, rect, name, here, theme);
+    let (name, key) = (entry.name(), entry.origin.key());
+    let response = line(ui, rect, &key, name, here, theme);
     let star = Rect::from_min_size(rect.min, vec2(LINE, LINE));
     let label = if entry.favourite { "Unmark" } else { "Mark" };
-    let mark = sign(
+    let mark = one_of(
         ui,
         star.shrink(2.0),
         if entry.favourite {
@@ -111,7 +111,7 @@ fn row(ui: &Ui, rect: Rect, entry: &Entry, here: bool, theme: &Theme) -> Option<
         } else {
             Icon::Hollow
         },
-        &format!("{label} {name}"),
+        (&key, &format!("{label} {name}")),
         true,
         theme,
     );

@@ -50,7 +50,14 @@ impl Browser {
         let (rect, _) =
             ui.allocate_exact_size(vec2(ui.available_width() - SIDE, 22.0), Sense::hover());
         let chosen = self.search.kind == kind;
-        let response = line(ui, rect, &format!("Shelf {name}"), chosen, theme);
+        let response = line(
+            ui,
+            rect,
+            &format!("{kind:?}"),
+            &format!("Shelf {name}"),
+            chosen,
+            theme,
+        );
         if response.clicked() {
             self.search.kind = kind;
         }

@@ -4,6 +4,7 @@ use super::super::history::{Side, Step};
 use super::super::log::Change;
 use super::super::param::Param;
 use super::session::Session;
+use egui::{Key, Modifiers, Ui};
 use nice_plug::prelude::ParamSetter;
 
 impl Session {
@@ -61,6 +62,20 @@ impl Session {
         }
         if let Some(side) = step.side {
             self.past.heard = side[way];
+        }
+    }
+
+    /// Undoes and does again by key, unless someone types.
+    pub(in super::super) fn keys(&mut self, ui: &Ui, setter: &ParamSetter<'_>) {
+        if ui.ctx().text_edit_focused() {
+            return;
+        }
+        let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
+        let shifted = Modifiers::COMMAND | Modifiers::SHIFT;
+        if pressed(shifted, Key::Z) || pressed(Modifiers::COMMAND, Key::Y) {
+            self.redo(setter);
+        } else if pressed(Modifiers::COMMAND, Key::Z) {
+            self.undo(setter);
         }
     }
 
