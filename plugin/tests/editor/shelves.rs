@@ -167,5 +167,9 @@ fn a_preset_that_is_gone_is_named_and_its_sound_stays() {
     harness.run_steps(2);
     click(&mut harness, "Presets");
     assert!(harness.query_by_label_contains("not here now").is_some());
+    assert!(
+        harness.query_by_label("Delete…").is_none(),
+        "there is no file"
+    );
     assert_eq!(bench.saved.chosen().key, "user/One.toml");
 }

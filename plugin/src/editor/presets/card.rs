@@ -44,7 +44,9 @@ impl Browser {
                 alarm(ui, what, theme);
             }
             ui.add_space(NEAR);
-            self.deeds(ui, origin.as_ref(), preset.as_deref(), session, theme, setter);
+            // What a song says is no file until it is found.
+            let there = origin.as_ref().filter(|_| !missing);
+            self.deeds(ui, there, preset.as_deref(), session, theme, setter);
         });
     }
 
