@@ -7,7 +7,12 @@ use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Viewp
 use nice_plug::prelude::ParamSetter;
 
 /// Draws a window of `size` points after the pointer has come to a place and, if so said, clicked there.
-fn draw(bench: &Bench, size: [f32; 2], scale: f32, pointer: Option<(Pos2, bool)>) -> Pixels {
+pub(crate) fn draw(
+    bench: &Bench,
+    size: [f32; 2],
+    scale: f32,
+    pointer: Option<(Pos2, bool)>,
+) -> Pixels {
     let context = Context::default();
     let mut raster = Raster::default();
     let mut drawn = None;
@@ -50,7 +55,7 @@ fn events(step: u8, pointer: Option<(Pos2, bool)>) -> Vec<Event> {
     }
 }
 
-const USUAL: [f32; 2] = [1000.0, 680.0];
+pub(crate) const USUAL: [f32; 2] = [1000.0, 680.0];
 
 #[test]
 fn chimes_at_rest() {
@@ -119,74 +124,3 @@ fn causes_of_damping_have_their_colours() {
     let drawn = draw(&bench, USUAL, 1.0, Some((tab, true)));
     check("vibraphone-damping", &drawn);
 }
-
-/// A bench with presets of the user's own: one good, one broken, one marked.
-fn shelves(home: &std::path::Path, instrument: &str) -> Bench {
-    let bench = Bench::new(instrument);
-    let folder = home.join("Presets");
-    std::fs::create_dir_all(&folder).unwrap();
-    let text = "name = \"Kitchen at dawn\"\ncategory = \"Natural\"\ntags = [\"soft\", \"morning\"]\nauthor = \"Ada\"\n\
-                about = \"Spoons before anyone is up.\"\n\n[sound]\ninstr = \"Metal bowls\"\nwarp = \"3 x\"\n";
-    std::fs::write(folder.join("Kitchen at dawn.toml"), text).unwrap();
-    std::fs::write(folder.join("Torn.toml"), "name = \"Torn\n[sound]\n").unwrap();
-    let marked = "factory/Slow fans\nuser/Kitchen at dawn.toml\n";
-    std::fs::write(home.join("favourites.txt"), marked).unwrap();
-    bench.ui.borrow_mut().keep_presets_in(Some(home.to_owned()));
-    bench
-}
-
-fn choose(bench: &Bench, key: &str) {
-    bench.saved.choose(idiophone::editor::Chosen {
-        key: key.to_owned(),
-        ..Default::default()
-    });
-}
-
-/// The middle of the preset's name in the header of a usual window.
-const NAME: Pos2 = Pos2::new(400.0, 22.0);
-
-#[test]
-fn a_browser_in_a_dim_room() {
-    let home = tempfile::tempdir().unwrap();
-    let bench = shelves(home.path(), "vibraphone");
-    choose(&bench, "factory/Slow fans");
-    let drawn = draw(&bench, USUAL, 1.0, Some((NAME, true)));
-    check("browser", &drawn);
-}
-
-#[test]
-fn a_browser_in_a_bright_room_on_a_fine_screen() {
-    let home = tempfile::tempdir().unwrap();
-    let bench = shelves(home.path(), "metal-bowls");
-    bench.saved.set_dark(false);
-    choose(&bench, "user/Kitchen at dawn.toml");
-    let drawn = draw(&bench, USUAL, 2.0, Some((NAME, true)));
-    check("browser-light-2x", &drawn);
-}
-
-#[test]
-fn a_browser_in_the_least_window() {
-    let home = tempfile::tempdir().unwrap();
-    let bench = shelves(home.path(), "chimes");
-    let least = idiophone::editor::LEAST_SIZE;
-    let name = Pos2::new(240.0, 22.0);
-    check(
-        "browser-least",
-        &draw(&bench, least, 1.0, Some((name, true))),
-    );
-}
-
-#[test]
-fn a_preset_about_to_be_saved() {
-    let home = tempfile::tempdir().unwrap();
-    let bench = shelves(home.path(), "vibraphone");
-    choose(&bench, "factory/Slow fans");
-    let save = Pos2::new(SAVE_X, 22.0);
-    check(
-        "browser-saving",
-        &draw(&bench, USUAL, 1.0, Some((save, true))),
-    );
-}
-
-/// The middle of the button to save, there.
-const SAVE_X: f32 = 600.0;
