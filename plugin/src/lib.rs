@@ -12,6 +12,7 @@ pub mod hands;
 mod notes;
 pub mod params;
 mod player;
+pub mod presets;
 mod remote;
 mod stage;
 mod tuner;

@@ -10,6 +10,7 @@ pub mod spectrogram;
 mod banks;
 mod canvas;
 mod faust;
+mod loudness;
 mod matrix_market;
 mod mesh_bank;
 mod note;

@@ -1,6 +1,7 @@
 //! A list for a parameter that is one of some names.
 
 use super::knob::{CELL, caption};
+use super::menu::menu;
 use super::param::Param;
 use super::theme::{NEAR, Theme, body, small};
 use egui::{
@@ -44,6 +45,7 @@ pub(super) fn chooser(
         ..WidgetInfo::labeled(egui::Role::ComboBox, true, param.spec.name)
     });
     paint(ui, rect, &param.text(), theme, font, &response);
+    menu(&response, param, None, setter);
     let mut wanted = None;
     Popup::menu(&response).width(rect.width()).show(|ui| {
         ui.set_min_width(rect.width());
@@ -144,6 +146,7 @@ pub(super) fn switch(
     if response.clicked() {
         param.put(setter, if on { 0.0 } else { 1.0 });
     }
+    menu(&response, param, None, setter);
     let colour =
         super::theme::Cause::of(param.spec.id).map_or(theme.glow, |cause| theme.cause(cause));
     let fill = if on { colour } else { theme.line };

@@ -3,12 +3,14 @@
 use super::figure::key_name;
 use super::frame::Frame;
 use super::hands::Hands;
-use super::header::header;
+use super::header::{Top, header};
 use super::link::Link;
+use super::log::Log;
 use super::meter::Meter;
 use super::pages::Pages;
 use super::param::Param;
 use super::plot::{Scene, plot};
+use super::presets::{Browser, Session};
 use super::row::{Row, Stage};
 use super::saved::Saved;
 use super::shown::Shown;
@@ -19,6 +21,7 @@ use crate::factory;
 use crate::params::Controls;
 use egui::{Align2, CornerRadius, Rect, pos2, vec2};
 use nice_plug::prelude::ParamSetter;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The editor's picture and what it remembers.
@@ -35,6 +38,8 @@ pub struct Ui {
     shown: Shown,
     meter: Meter,
     pages: Pages,
+    session: Session,
+    browser: Browser,
     /// The theme that egui has been told of.
     dressed: Option<bool>,
 }
@@ -43,8 +48,12 @@ impl Ui {
     /// For an instance's parameters, joined to its audio thread by `link`.
     #[must_use]
     pub fn new(controls: Arc<Controls>, saved: Arc<Saved>, link: Arc<Link>) -> Self {
+        let log = Arc::new(Log::default());
+        let params = Param::all(&controls, &log);
         Self {
-            params: Param::all(&controls),
+            session: Session::new(&controls, &saved, &params, &log),
+            browser: Browser::default(),
+            params,
             controls,
             saved,
             link,
@@ -64,6 +73,11 @@ impl Ui {
             .iter()
             .find(|param| param.spec.id == id)
             .cloned()
+    }
+
+    /// Keeps presets and favourites in another folder than the user's; in none, if there is none.
+    pub fn keep_presets_in(&mut self, home: Option<PathBuf>) {
+        self.session.move_to(home);
     }
 
     /// A new window: egui knows nothing of the theme yet.
@@ -88,6 +102,7 @@ impl Ui {
         {
             self.hands.hold.let_go(setter);
         }
+        self.session.keys(ui, setter);
         let instrument = self.param("instr");
         #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
         let index = instrument.as_ref().map_or(0.0, Param::plain).round() as usize;
@@ -104,18 +119,21 @@ impl Ui {
             ui.painter()
                 .rect_filled(panel, CornerRadius::same(CORNER), theme.panel);
         }
-        if header(
-            ui,
-            places.header,
-            instrument.as_ref(),
-            &mut self.meter,
-            &theme,
-            setter,
-        ) {
+        self.session.compare();
+        let top = Top {
+            instrument: instrument.as_ref(),
+            meter: &mut self.meter,
+            session: &mut self.session,
+            browser: &mut self.browser,
+        };
+        if header(ui, places.header, top, &theme, setter) {
             self.saved.set_dark(!dark);
             ui.ctx().request_repaint();
         }
+        let now_s = ui.input(|input| input.time);
+        self.session.listen(now_s, false);
         let hint = self.play(ui, places.row, index, &theme, setter);
+        self.session.listen(now_s, true);
         let settings = self.controls.settings();
         let bank = factory::bank(index);
         plot(
@@ -142,11 +160,16 @@ impl Ui {
             &mut self.hands,
             setter,
         );
-        let usual = format!(
-            "Click a body to strike it there; drag across for a glissando. Keys Z S X D C … play from {}, \
-             − and + move them an octave.",
-            key_name(self.row.lowest())
-        );
+        let usual = if self.browser.is_open() {
+            "Up and down go through the presets, Enter and Escape close, a click on a star marks."
+                .into()
+        } else {
+            format!(
+                "Click a body to strike it there; drag across for a glissando. Keys Z S X D C … play from {}, \
+                 − and + move them an octave.",
+                key_name(self.row.lowest())
+            )
+        };
         ui.painter().with_clip_rect(places.hint).text(
             places.hint.left_center(),
             Align2::LEFT_CENTER,
@@ -154,6 +177,13 @@ impl Ui {
             small(),
             theme.quiet,
         );
+        self.session.listen(now_s, false);
+        let middle = Rect::from_min_max(places.header.left_bottom(), places.hint.right_top());
+        let ready = self.frame.instrument == index;
+        let position = self.param("pos").map_or(0.0, |param| param.value());
+        self.browser.play(ui, ready, position, &self.link);
+        self.browser
+            .show(ui, middle, &mut self.session, &theme, setter);
     }
 
     /// How long a click touches the body that is shown, in s.

@@ -9,8 +9,11 @@ use nice_plug::prelude::PluginState;
 /// The texts of the tuning.
 const TEXTS: [&str; 2] = ["scale", "kbm"];
 
+/// Which preset was chosen, if any: its key, whether it is changed, and whether it brought the tuning.
+const PRESET: &str = "preset";
+
 /// Brings every value into its range and gives every parameter that is missing its default; what is
-/// not known stays. A tuning that is missing is none.
+/// not known stays. A tuning that is missing is none, and so is a preset.
 ///
 /// Hosts hand over what a file says: without this an infinite gain goes through, and a song from
 /// before a parameter existed keeps whatever value that parameter had.
@@ -25,6 +28,11 @@ pub fn heal(state: &mut PluginState) {
             // An empty text as JSON.
             "\"\"".clone_into(field);
         }
+    }
+    let field = state.fields.entry(PRESET.to_owned()).or_default();
+    if deserialize_field::<(String, bool, bool)>(field).is_err() {
+        // None, as JSON.
+        "[\"\",false,false]".clone_into(field);
     }
 }
 
@@ -78,6 +86,24 @@ mod tests {
         let (scale, map) = field("\"a\\n1\\n2/1\"");
         assert_eq!((scale.as_str(), map.as_str()), ("\"a\\n1\\n2/1\"", "\"\""));
         assert_eq!(field("7").0, "\"\"");
+    }
+
+    #[test]
+    fn a_song_from_before_presets_has_none_and_one_with_a_preset_keeps_it() {
+        let field = |saved: Option<&str>| {
+            let saved = saved.map(|text| (PRESET.to_owned(), text.to_owned()));
+            let mut state = PluginState {
+                version: String::new(),
+                params: BTreeMap::new(),
+                fields: saved.into_iter().collect(),
+            };
+            heal(&mut state);
+            deserialize_field::<(String, bool, bool)>(&state.fields[PRESET]).unwrap()
+        };
+        assert_eq!(field(None), (String::new(), false, false));
+        assert_eq!(field(Some("[3]")), (String::new(), false, false));
+        let mine = ("user/A.toml".to_owned(), true, false);
+        assert_eq!(field(Some("[\"user/A.toml\",true,false]")), mine);
     }
 
     fn number(params: &BTreeMap<String, ParamValue>, id: &str) -> f32 {

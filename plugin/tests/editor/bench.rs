@@ -32,7 +32,9 @@ impl Bench {
         let instrument = index(instrument);
         let controls = Arc::new(Controls::default());
         let (saved, link) = (Arc::new(Saved::default()), Arc::new(Link::default()));
-        let ui = Ui::new(Arc::clone(&controls), Arc::clone(&saved), Arc::clone(&link));
+        let mut ui = Ui::new(Arc::clone(&controls), Arc::clone(&saved), Arc::clone(&link));
+        // No test reads or writes what is the user's.
+        ui.keep_presets_in(None);
         let bench = Self {
             controls,
             saved,
@@ -43,6 +45,17 @@ impl Bench {
         let last = factory::BANKS.len() - 1;
         bench.set("instr", instrument as f32 / last as f32);
         bench
+    }
+
+    /// Another window of the same instance.
+    pub(crate) fn reopen(&self) {
+        // The old one first puts down what is to outlive it.
+        let spare = (Arc::default(), Arc::default(), Arc::default());
+        self.ui.replace(Ui::new(spare.0, spare.1, spare.2));
+        let (controls, saved, link) = (&self.controls, &self.saved, &self.link);
+        let mut ui = Ui::new(Arc::clone(controls), Arc::clone(saved), Arc::clone(link));
+        ui.keep_presets_in(None);
+        self.ui.replace(ui);
     }
 
     fn pointer(&self, id: &str) -> ParamPtr {

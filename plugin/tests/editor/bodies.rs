@@ -40,6 +40,25 @@ fn strikes(touches: &[Touch]) -> Vec<(u8, f32, f32)> {
 }
 
 #[test]
+fn playing_is_one_step_to_undo() {
+    let bench = Bench::new("chimes");
+    let mut harness = bench.harness();
+    for (name, position) in [("C4", 0.25), ("E4", 0.5), ("G4", 0.7)] {
+        let at = place(&harness, name, position);
+        button(&mut harness, at, true);
+        button(&mut harness, at, false);
+        harness.run_steps(60);
+    }
+    assert!(bench.value("pos").0 > 0.6);
+    harness.get_by_label("Undo").click();
+    harness.run_steps(2);
+    assert_eq!(bench.value("pos").0, usual_position());
+    harness.get_by_label("Redo").click();
+    harness.run_steps(2);
+    assert!(bench.value("pos").0 > 0.6);
+}
+
+#[test]
 fn a_click_strikes_where_it_is_and_is_automation() {
     let bench = Bench::new("chimes");
     let mut harness = bench.harness();

@@ -7,7 +7,12 @@ use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Viewp
 use nice_plug::prelude::ParamSetter;
 
 /// Draws a window of `size` points after the pointer has come to a place and, if so said, clicked there.
-fn draw(bench: &Bench, size: [f32; 2], scale: f32, pointer: Option<(Pos2, bool)>) -> Pixels {
+pub(crate) fn draw(
+    bench: &Bench,
+    size: [f32; 2],
+    scale: f32,
+    pointer: Option<(Pos2, bool)>,
+) -> Pixels {
     let context = Context::default();
     let mut raster = Raster::default();
     let mut drawn = None;
@@ -50,7 +55,7 @@ fn events(step: u8, pointer: Option<(Pos2, bool)>) -> Vec<Event> {
     }
 }
 
-const USUAL: [f32; 2] = [1000.0, 680.0];
+pub(crate) const USUAL: [f32; 2] = [1000.0, 680.0];
 
 #[test]
 fn chimes_at_rest() {

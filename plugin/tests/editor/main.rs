@@ -6,8 +6,12 @@
 
 mod bench;
 mod bodies;
+mod browsing;
 mod host;
 mod knobs;
 mod looks;
+mod menus;
 mod picture;
+mod presets;
 mod raster;
+mod shelves;
