@@ -16,6 +16,8 @@ pub struct Frame {
     pub energies_j: [f32; 128],
     /// How loud each mode of the body struck last is, as an amplitude over full scale.
     pub levels: Vec<f32>,
+    /// How far each of them swings, in m·kg^(1/2).
+    pub swings: Vec<f32>,
     /// What holds that body.
     pub held: Held,
     /// Greatest samples of the left and the right channel since the frame before.
@@ -30,6 +32,7 @@ impl Default for Frame {
             struck: None,
             energies_j: [0.0; 128],
             levels: Vec::with_capacity(MOST_MODES),
+            swings: Vec::with_capacity(MOST_MODES),
             held: Held::default(),
             peaks: [0.0; 2],
         }
@@ -44,12 +47,15 @@ impl Frame {
         self.struck = engine.struck();
         engine.energies_j(&mut self.energies_j);
         self.levels.resize(MOST_MODES, 0.0);
+        self.swings.resize(MOST_MODES, 0.0);
         let mut count = 0;
         self.held = Held::default();
         if let Some(struck) = self.struck {
             count = engine.levels(struck.key, &mut self.levels);
+            engine.swings(struck.key, &mut self.swings);
             self.held = engine.held(struck.key);
         }
         self.levels.truncate(count);
+        self.swings.truncate(count);
     }
 }

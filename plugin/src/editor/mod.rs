@@ -3,6 +3,7 @@
 //! [`Ui`] draws and plays without a window; [`Link`] joins it to the audio thread without locks.
 
 mod axis;
+mod caption;
 mod card;
 mod choice;
 mod desk;
@@ -19,16 +20,21 @@ mod meter;
 mod pages;
 mod paint_body;
 mod param;
+mod places;
 mod plot;
 mod reporter;
 mod ringing;
 mod row;
 mod saved;
 mod shown;
+mod solid;
 mod strip;
+mod tabs;
 mod theme;
 mod typing;
 mod ui;
+mod view;
+mod why;
 mod window;
 
 pub(crate) use desk::Desk;
@@ -37,6 +43,7 @@ pub use frame::{Frame, MOST_MODES};
 pub use link::{Link, Touch};
 pub use ringing::Ringing;
 pub use saved::{LEAST_SIZE, Saved, USUAL_SIZE};
+pub use solid::{Solid, Vector};
 pub use theme::Cause;
 pub use ui::Ui;
 pub use window::Window;

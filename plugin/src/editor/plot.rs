@@ -6,16 +6,13 @@ use super::frame::Frame;
 use super::grid::{FLOOR_DB, Halves, grid};
 use super::ringing::{Ringing, hertz};
 use super::shown::Shown;
-use super::theme::{Cause, Theme, body, small};
+use super::theme::{Cause, Theme, small};
 use crate::engine::Settings;
 use egui::{Align2, Id, Painter, Rangef, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use modes::Damping;
 
 /// Greatest distance in points of the pointer from the partial that it is on.
 const REACH: f32 = 10.0;
-/// Least width in points for all that can be said of a body.
-const WIDE: f32 = 400.0;
-
 /// What the plot needs to know.
 pub(super) struct Scene<'a> {
     pub(super) shown: &'a Shown,
@@ -38,9 +35,9 @@ struct Line {
     ringing: Ringing,
 }
 
-/// Draws the plot at `area`.
-pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) {
-    let header = Rect::from_min_size(area.min, vec2(area.width(), 40.0));
+/// Draws the plot at `area`; the number of the partial that the pointer is on.
+pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) -> Option<usize> {
+    let header = Rect::from_min_size(area.min, vec2(area.width(), 20.0));
     let rest = Rect::from_min_max(pos2(area.left(), header.bottom()), area.max);
     let halves = Halves::of(rest);
     let partials = &scene.shown.partials;
@@ -64,29 +61,24 @@ pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) {
         draw(painter, scene, line, &halves, &t60, on);
     }
     describe(ui, header, scene, pointed.or_else(|| loudest(&lines)));
+    pointed.map(|line| line.number)
 }
 
-/// The body, and one of its partials, in words.
+/// One of the partials in words.
 fn describe(ui: &Ui, header: Rect, scene: &Scene<'_>, told: Option<&Line>) {
-    let (painter, theme) = (ui.painter(), scene.theme);
-    let at = header.left_top() + vec2(2.0, 0.0);
-    painter.text(
-        at,
-        Align2::LEFT_TOP,
-        scene.shown.title(),
-        body(),
-        theme.text,
-    );
-    if header.width() > WIDE {
-        let text = format!("mallet touches for {:.2} ms", 1e3 * scene.contact_s);
-        let at = header.right_top() + vec2(-2.0, 2.0);
-        painter.text(at, Align2::RIGHT_TOP, text, small(), theme.quiet);
-    }
     if let Some(line) = told {
         let label = scene.shown.partials[line.number].label;
-        let place = Rect::from_min_max(at + vec2(0.0, 19.0), header.right_bottom());
-        card(ui, place, &label.to_string(), &line.ringing, theme);
+        card(ui, header, &label.to_string(), &line.ringing, scene.theme);
     }
+}
+
+/// The name and decay of the partial that is loudest now, or would be.
+pub(super) fn leading(scene: &Scene<'_>) -> Option<(String, Ringing)> {
+    let everywhere = Axis::log([1.0, 1e6], Rangef::new(0.0, 1.0));
+    let lines = lines(scene, &everywhere);
+    let line = loudest(&lines)?;
+    let label = scene.shown.partials[line.number].label;
+    Some((label.to_string(), line.ringing))
 }
 
 fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {

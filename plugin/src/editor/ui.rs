@@ -1,5 +1,6 @@
 //! Everything that the window shows, without the window.
 
+use super::caption::Told;
 use super::figure::key_name;
 use super::frame::Frame;
 use super::hands::Hands;
@@ -8,12 +9,15 @@ use super::link::Link;
 use super::meter::Meter;
 use super::pages::Pages;
 use super::param::Param;
-use super::plot::{Scene, plot};
+use super::places::Places;
+use super::plot::{Scene, leading, plot};
 use super::row::{Row, Stage};
 use super::saved::Saved;
 use super::shown::Shown;
 use super::strip::strip;
 use super::theme::{APART, CORNER, NEAR, Theme, small};
+use super::view::{Sight, View};
+use super::why::{Leaf, Why};
 use crate::engine::{Settings, contact_s};
 use crate::factory;
 use crate::params::Controls;
@@ -35,6 +39,8 @@ pub struct Ui {
     shown: Shown,
     meter: Meter,
     pages: Pages,
+    view: View,
+    why: Why,
     /// The theme that egui has been told of.
     dressed: Option<bool>,
 }
@@ -55,6 +61,8 @@ impl Ui {
             shown: Shown::new(0, None),
             meter: Meter::default(),
             pages: Pages::default(),
+            view: View::default(),
+            why: Why::default(),
             dressed: None,
         }
     }
@@ -100,7 +108,7 @@ impl Ui {
         let all = ui.max_rect();
         ui.painter().rect_filled(all, 0.0, theme.ground);
         let places = Places::of(all);
-        for panel in [places.row, places.partials, places.pages] {
+        for panel in places.panels() {
             ui.painter()
                 .rect_filled(panel, CornerRadius::same(CORNER), theme.panel);
         }
@@ -115,25 +123,9 @@ impl Ui {
             self.saved.set_dark(!dark);
             ui.ctx().request_repaint();
         }
-        let hint = self.play(ui, places.row, index, &theme, setter);
-        let settings = self.controls.settings();
-        let bank = factory::bank(index);
-        plot(
-            ui,
-            places.partials.shrink(APART),
-            &Scene {
-                shown: &self.shown,
-                frame: if self.frame.instrument == index {
-                    &self.frame
-                } else {
-                    &self.nothing
-                },
-                settings: &settings,
-                own: &bank.damping,
-                contact_s: self.contact_s(index, &settings),
-                theme: &theme,
-            },
-        );
+        let row_hint = self.play(ui, places.row, index, &theme, setter);
+        let body_hint = self.middle(ui, &places, index, &theme, setter);
+        let hint = row_hint.or(body_hint);
         self.pages.show(
             ui,
             places.pages.shrink(NEAR),
@@ -154,6 +146,66 @@ impl Ui {
             small(),
             theme.quiet,
         );
+    }
+
+    /// The body and why it sounds as it does; what the pointer is on.
+    fn middle(
+        &mut self,
+        ui: &mut egui::Ui,
+        places: &Places,
+        index: usize,
+        theme: &Theme,
+        setter: &ParamSetter<'_>,
+    ) -> Option<String> {
+        let settings = self.controls.settings();
+        let contact_s = self.contact_s(index, &settings);
+        let inner = places.why.shrink(APART);
+        let mut leaves = self.why.leaves(ui, inner, places.body.is_none(), theme);
+        leaves.extend(places.body.map(|body| (Leaf::Body, body.shrink(APART))));
+        let position = self.param("pos");
+        let frame = if self.frame.instrument == index {
+            &*self.frame
+        } else {
+            &self.nothing
+        };
+        let scene = Scene {
+            shown: &self.shown,
+            frame,
+            settings: &settings,
+            own: &factory::bank(index).damping,
+            contact_s,
+            theme,
+        };
+        let struck = frame.struck.filter(|struck| struck.key == self.shown.key);
+        let mut hint = None;
+        let mut pointed = None;
+        for (leaf, area) in leaves {
+            match leaf {
+                Leaf::Partials => pointed = plot(ui, area, &scene),
+                Leaf::Body => {
+                    let sight = Sight {
+                        instrument: index,
+                        frame,
+                        told: Told {
+                            shown: &self.shown,
+                            settings: &settings,
+                            position: struck.map_or(settings.strike_position, |s| s.position)
+                                as f32,
+                            contact_s,
+                            partial: leading(&scene),
+                        },
+                        alone: pointed,
+                        link: &self.link,
+                        theme,
+                        velocity: self.row.velocity / 127.0,
+                        position: position.as_ref(),
+                        setter,
+                    };
+                    hint = self.view.show(ui, area, &sight, &mut self.hands.hold);
+                }
+            }
+        }
+        hint
     }
 
     /// How long a click touches the body that is shown, in s.
@@ -191,39 +243,5 @@ impl Ui {
             setter,
         };
         self.row.show(ui, area, &stage, &mut self.hands.hold)
-    }
-}
-
-/// Where everything is.
-struct Places {
-    header: Rect,
-    row: Rect,
-    partials: Rect,
-    pages: Rect,
-    hint: Rect,
-}
-
-impl Places {
-    fn of(all: Rect) -> Self {
-        let inner = all.shrink2(vec2(APART, 0.0));
-        let slice = |top: f32, bottom: f32| {
-            Rect::from_min_max(pos2(inner.left(), top), pos2(inner.right(), bottom))
-        };
-        let header = slice(all.top(), all.top() + 44.0);
-        let hint = slice(all.bottom() - 24.0, all.bottom());
-        let middle = slice(header.bottom(), hint.top());
-        let row_height = (0.38 * middle.height()).clamp(120.0, 420.0);
-        let row = slice(middle.top(), middle.top() + row_height);
-        let rest = slice(row.bottom() + APART, middle.bottom());
-        // Five knobs side by side at most.
-        let pages_width = (0.51 * rest.width()).clamp(304.0, 500.0);
-        let split = rest.right() - pages_width;
-        Self {
-            header,
-            row,
-            partials: Rect::from_min_max(rest.min, pos2(split - APART, rest.bottom())),
-            pages: Rect::from_min_max(pos2(split, rest.top()), rest.max),
-            hint,
-        }
     }
 }

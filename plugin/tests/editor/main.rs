@@ -6,6 +6,7 @@
 
 mod bench;
 mod bodies;
+mod body;
 mod host;
 mod knobs;
 mod looks;

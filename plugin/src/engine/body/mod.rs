@@ -166,6 +166,7 @@ impl Body {
                     omega: tone.omega[i],
                     decay_per_s: f64::from(tone.decay[i]),
                     power: energy * gains.map(|gain| gain * gain).sum::<f64>(),
+                    swing: energy.sqrt() / tone.omega[i],
                 }
             })
         })
@@ -180,4 +181,6 @@ pub(crate) struct Sound {
     pub(crate) decay_per_s: f64,
     /// Square of its amplitude, sum of both ears.
     pub(crate) power: f64,
+    /// Its amplitude, in m·kg^(1/2).
+    pub(crate) swing: f64,
 }

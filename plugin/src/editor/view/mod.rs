@@ -1,0 +1,350 @@
+//! The body in three dimensions: turned, struck and seen to move.
+
+mod camera;
+mod marks;
+mod nodal;
+mod picture;
+mod shade;
+mod sway;
+
+use camera::Camera;
+
+use super::caption::{CAPTION, Told, caption, place};
+use super::figure::{Kind, key_name, tint};
+use super::frame::Frame;
+use super::hold::Hold;
+use super::knob::notches;
+use super::link::{Link, Touch};
+use super::param::Param;
+use super::shown::Shown;
+use super::solid::{Solid, Vector, add};
+use super::theme::{Cause, NEAR, Theme};
+use crate::factory;
+use camera::Lens;
+use egui::{
+    CursorIcon, EventFilter, Id, Key, PointerButton, Pos2, Rect, Response, Role, Sense, Shape, Ui,
+    Vec2, WidgetInfo, pos2, vec2,
+};
+use marks::{Mark, controls, mark};
+use nice_plug::prelude::ParamSetter;
+use nodal::nodal_lines;
+use picture::{Picture, colours};
+use shade::Shade;
+use sway::Sway;
+
+/// Density in kg/m³ from which a material shines as metals do.
+const SHINES: f64 = 2600.0;
+/// Zoom of a notch of the wheel, and turn in points of drag of an arrow key.
+const NOTCH: f32 = 1.15;
+const ARROW: f32 = 12.0;
+
+/// What the panel remembers.
+pub(super) struct View {
+    camera: Camera,
+    /// Instrument and key of the body, and its surface.
+    solid: Option<(usize, u8, Solid)>,
+    sway: Sway,
+    picture: Picture,
+    /// How far the picture exaggerates, 1 for well to be seen, 0 for not at all.
+    motion: f32,
+    press: Press,
+    /// Where it was clicked last, and as which place on the line.
+    clicked: Option<(Vector, f32)>,
+}
+
+/// What the button that is held down does.
+#[derive(Clone, Copy, PartialEq)]
+enum Press {
+    Nothing,
+    Turns,
+    Struck(u8),
+}
+
+/// What the panel needs of its surroundings.
+pub(super) struct Sight<'a, 'b> {
+    pub(super) instrument: usize,
+    pub(super) frame: &'a Frame,
+    pub(super) told: Told<'a>,
+    /// The partial that is shown alone, if one is.
+    pub(super) alone: Option<usize>,
+    pub(super) link: &'a Link,
+    pub(super) theme: &'a Theme,
+    /// How hard clicks strike, 0…1.
+    pub(super) velocity: f32,
+    pub(super) position: Option<&'a Param>,
+    pub(super) setter: &'a ParamSetter<'b>,
+}
+
+impl Sight<'_, '_> {
+    fn shown(&self) -> &Shown {
+        self.told.shown
+    }
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            camera: Camera::on(Kind::Bar),
+            solid: None,
+            sway: Sway::default(),
+            picture: Picture::default(),
+            motion: 1.0,
+            press: Press::Nothing,
+            clicked: None,
+        }
+    }
+}
+
+impl View {
+    /// Draws the body in `area` and plays it; what the pointer is on, in words.
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        area: Rect,
+        sight: &Sight<'_, '_>,
+        hold: &mut Hold,
+    ) -> Option<String> {
+        let Some((key, solid)) = self.follow(sight) else {
+            return None;
+        };
+        let stage = Rect::from_min_max(pos2(area.left(), area.top() + CAPTION), area.max);
+        let response = ui.interact(area, Id::unique("body"), Sense::click_and_drag());
+        let name = format!("Body {}", key_name(key));
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+        let lens = self.camera.lens(&solid, stage);
+        self.swing(ui, &solid, &lens, sight);
+        self.picture.look(&solid, &self.sway.moved_m, &lens);
+        let hovered = response.hover_pos().filter(|at| stage.contains(*at));
+        let on = hovered.and_then(|at| self.struck_at(&solid, at));
+        self.hands(ui, &response, (key, &solid), sight, hold);
+        self.paint(ui, stage, &solid, &lens, sight);
+        self.mark(ui, &solid, &lens, sight, on);
+        caption(ui, area, solid.kind, &sight.told, sight.theme);
+        controls(ui, area, &mut self.motion, solid.thicker, sight);
+        let cursor = match (self.press, on) {
+            (Press::Turns, _) => CursorIcon::Grabbing,
+            (_, Some(_)) => CursorIcon::PointingHand,
+            _ => CursorIcon::Grab,
+        };
+        response.on_hover_and_drag_cursor(cursor);
+        let kind = solid.kind;
+        self.solid = Some((sight.instrument, key, solid));
+        hovered.map(|_| match on {
+            Some((_, at)) => format!("A click strikes here, {}", place(kind, at)),
+            None => "Drag to turn the body, wheel to come nearer; a double click looks as at first"
+                .to_owned(),
+        })
+    }
+
+    /// The surface of the body that is shown; taken out, to be put back.
+    fn follow(&mut self, sight: &Sight<'_, '_>) -> Option<(u8, Solid)> {
+        let key = sight.shown().key;
+        let known = self.solid.take();
+        let instrument = known.as_ref().map(|(instrument, _, _)| *instrument);
+        if let Some((_, old, solid)) = known
+            && instrument == Some(sight.instrument)
+            && old == key
+        {
+            return Some((key, solid));
+        }
+        let bank = factory::bank(sight.instrument);
+        let body = bank.bodies.iter().find(|body| body.key == key)?;
+        let solid = Solid::of(body, &bank.material);
+        self.sway.forget(instrument != Some(sight.instrument));
+        self.clicked = None;
+        if self.camera.kind() != solid.kind {
+            self.camera = Camera::on(solid.kind);
+        }
+        Some((key, solid))
+    }
+
+    /// Moves the surface.
+    fn swing(&mut self, ui: &Ui, solid: &Solid, lens: &Lens, sight: &Sight<'_, '_>) {
+        self.sway.pass(ui.input(|input| input.stable_dt).min(0.1));
+        let radius_m = lens.radius_m;
+        let moves = match sight.alone {
+            Some(mode) => {
+                self.sway.alone(solid, mode, radius_m, self.motion);
+                true
+            }
+            None => {
+                let (shown, frame) = (sight.shown(), sight.frame);
+                self.sway.live(solid, shown, frame, radius_m, self.motion)
+            }
+        };
+        if moves {
+            ui.ctx().request_repaint();
+        }
+    }
+
+    /// The point of the surface at a place on the screen, and the place on the strike line that a blow
+    /// there counts as.
+    fn struck_at(&self, solid: &Solid, at: Pos2) -> Option<(Vector, f32)> {
+        let (number, shares) = self.picture.pick(solid, at)?;
+        let corners = solid.triangles[number as usize];
+        let mut point = [0.0; 3];
+        let mut place = 0.0;
+        for (i, share) in corners.into_iter().zip(shares) {
+            point = add(point, share, solid.points_m[i as usize]);
+            place += share * solid.places[i as usize];
+        }
+        Some((point, place.clamp(0.0, 1.0)))
+    }
+
+    /// What pointer and keys do.
+    fn hands(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        (key, solid): (u8, &Solid),
+        sight: &Sight<'_, '_>,
+        hold: &mut Hold,
+    ) {
+        let primary = ui.input(|input| input.pointer.button_down(PointerButton::Primary));
+        if response.is_pointer_button_down_on() {
+            if self.press == Press::Nothing {
+                let on = response
+                    .interact_pointer_pos()
+                    .filter(|_| primary)
+                    .and_then(|at| self.struck_at(solid, at));
+                self.press = match on {
+                    Some((point, place)) => {
+                        self.strike(key, place, sight, hold);
+                        self.clicked = Some((point, place));
+                        Press::Struck(key)
+                    }
+                    None => Press::Turns,
+                };
+            } else if self.press == Press::Turns {
+                self.camera.turn(response.drag_delta());
+            }
+        } else {
+            if let Press::Struck(key) = self.press {
+                sight.link.touch(Touch::Release { key });
+                hold.let_go(sight.setter);
+            } else if response.double_clicked() {
+                self.camera = Camera::on(solid.kind);
+            } else if response.clicked() && !ui.input(|input| input.pointer.any_released()) {
+                let set = sight.position.map_or(0.0, |param| param.plain() / 100.0);
+                self.touch(key, set, sight);
+                sight.link.touch(Touch::Release { key });
+            }
+            self.press = Press::Nothing;
+        }
+        if response.hovered() {
+            self.camera.approach(NOTCH.powf(notches(ui)));
+        }
+        if response.has_focus() {
+            self.arrows(ui, response);
+        }
+    }
+
+    fn arrows(&mut self, ui: &Ui, response: &Response) {
+        let filter = EventFilter {
+            horizontal_arrows: true,
+            vertical_arrows: true,
+            ..EventFilter::default()
+        };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+        let pressed = |key: Key| ui.input(|input| input.key_pressed(key));
+        let moves = [
+            (Key::ArrowLeft, vec2(-ARROW, 0.0)),
+            (Key::ArrowRight, vec2(ARROW, 0.0)),
+            (Key::ArrowUp, vec2(0.0, -ARROW)),
+            (Key::ArrowDown, vec2(0.0, ARROW)),
+        ];
+        let turn = moves
+            .into_iter()
+            .filter(|(key, _)| pressed(*key))
+            .fold(Vec2::ZERO, |sum, (_, by)| sum + by);
+        self.camera.turn(turn);
+        for (key, factor) in [(Key::PageUp, NOTCH), (Key::PageDown, 1.0 / NOTCH)] {
+            if pressed(key) {
+                self.camera.approach(factor);
+            }
+        }
+    }
+
+    /// Strikes at a place on the line, which is automation of the strike position.
+    fn strike(&self, key: u8, place: f32, sight: &Sight<'_, '_>, hold: &mut Hold) {
+        if let Some(param) = sight.position {
+            hold.take(param, sight.setter);
+            hold.put(param.place(100.0 * place), sight.setter);
+        }
+        self.touch(key, place, sight);
+    }
+
+    fn touch(&self, key: u8, position: f32, sight: &Sight<'_, '_>) {
+        sight.link.touch(Touch::Strike {
+            key,
+            velocity: sight.velocity,
+            position,
+        });
+    }
+
+    fn paint(&mut self, ui: &Ui, area: Rect, solid: &Solid, lens: &Lens, sight: &Sight<'_, '_>) {
+        let theme = sight.theme;
+        let material = &factory::bank(sight.instrument).material;
+        let metal = material.density_kg_m3 > SHINES;
+        let own = Theme::mix(
+            tint(material, false),
+            theme.panel,
+            if theme.dark { 0.08 } else { 0.0 },
+        );
+        let shade = match sight.alone {
+            Some(_) => Shade::new(own, [theme.glow, theme.cause(Cause::Radiation)], metal),
+            None => Shade::glowing(own, metal, theme),
+        };
+        let colours = colours(solid, &shade, &self.sway.out, lens);
+        let lines = match sight.alone {
+            Some(mode) => {
+                let motion = self.sway.motion(solid, mode).0.clone();
+                nodal_lines(solid, &motion, &self.sway.moved_m)
+            }
+            None => Vec::new(),
+        };
+        let pixel = 1.0 / ui.ctx().pixels_per_point();
+        let ink = theme.text;
+        let mesh = self
+            .picture
+            .mesh(solid, &colours, (&lines, ink), lens, pixel);
+        ui.painter()
+            .with_clip_rect(area.expand(NEAR))
+            .add(Shape::mesh(mesh));
+    }
+
+    /// Marks where the body was struck last, where notes strike it, and where a click would.
+    fn mark(
+        &self,
+        ui: &Ui,
+        solid: &Solid,
+        lens: &Lens,
+        sight: &Sight<'_, '_>,
+        on: Option<(Vector, f32)>,
+    ) {
+        let struck = sight
+            .frame
+            .struck
+            .filter(|struck| struck.key == sight.shown().key);
+        let set = sight.position.map_or(0.0, |param| param.plain() / 100.0);
+        let (at, normal) = solid.at(set);
+        mark(ui, lens, at, Some(normal), Mark::Set, sight.theme);
+        if let Some(struck) = struck {
+            let position = struck.position as f32;
+            let clicked = self
+                .clicked
+                .filter(|(_, place)| (place - position).abs() < 0.005);
+            let (at, normal) = match clicked {
+                Some((at, _)) => (at, None),
+                None => {
+                    let (at, normal) = solid.at(position);
+                    (at, Some(normal))
+                }
+            };
+            mark(ui, lens, at, normal, Mark::Struck, sight.theme);
+        }
+        if let Some((at, _)) = on {
+            mark(ui, lens, at, None, Mark::Pointed, sight.theme);
+        }
+    }
+}
