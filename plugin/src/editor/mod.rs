@@ -31,6 +31,7 @@ mod solid;
 mod strip;
 mod tabs;
 mod theme;
+mod trimming;
 mod typing;
 mod ui;
 mod view;

@@ -7,9 +7,13 @@ use super::grid::{FLOOR_DB, Halves, grid};
 use super::ringing::{Ringing, hertz};
 use super::shown::Shown;
 use super::theme::{Cause, Theme, small};
-use crate::engine::Settings;
-use egui::{Align2, Id, Painter, Rangef, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
-use modes::Damping;
+use super::trimming::{Grasp, Scales, Trimming, words};
+use crate::engine::{Settings, Trim};
+use crate::params::TrimTable;
+use egui::{
+    Align2, CursorIcon, Id, Painter, Rangef, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+use modes::{Damping, ModeLabel};
 
 /// Greatest distance in points of the pointer from the partial that it is on.
 const REACH: f32 = 10.0;
@@ -22,12 +26,27 @@ pub(super) struct Scene<'a> {
     pub(super) own: &'a Damping,
     /// How long a blow lasts, in s.
     pub(super) contact_s: f64,
+    /// What is made of single modes.
+    pub(super) trims: &'a TrimTable,
     pub(super) theme: &'a Theme,
 }
 
+/// What the pointer is on.
+#[derive(Default)]
+pub(super) struct Pointed {
+    /// Number of the partial.
+    pub(super) number: Option<usize>,
+    /// What can be done there, in words.
+    pub(super) hint: Option<String>,
+}
+
 /// A partial on its place.
-struct Line {
+pub(super) struct Line {
     number: usize,
+    pub(super) label: ModeLabel,
+    trim: Trim,
+    /// Whether another is heard alone.
+    mute: bool,
     x: f32,
     /// Levels in dB below the loudest: what a blow would give, and what there is.
     set_db: f32,
@@ -35,8 +54,8 @@ struct Line {
     ringing: Ringing,
 }
 
-/// Draws the plot at `area`; the number of the partial that the pointer is on.
-pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) -> Option<usize> {
+/// Draws the plot at `area` and lets hands take partials; what the pointer is on.
+pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>, trimming: &mut Trimming) -> Pointed {
     let header = Rect::from_min_size(area.min, vec2(area.width(), 20.0));
     let rest = Rect::from_min_max(pos2(area.left(), header.bottom()), area.max);
     let halves = Halves::of(rest);
@@ -48,12 +67,28 @@ pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) -> Option<usize> 
     let hz = Axis::log(span, halves.up.x_range());
     let t60 = Axis::log([0.01, 100.0], halves.down.y_range());
     let lines = lines(scene, &hz);
-    let response = ui.interact(area, Id::unique("partials"), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Partials"));
-    let pointed = response
-        .hover_pos()
-        .filter(|at| at.y > header.bottom())
-        .and_then(|at| nearest(&lines, at.x));
+    let response = ui.interact(area, Id::unique("partials"), Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Partial levels"));
+    let here = response
+        .interact_pointer_pos()
+        .or(response.hover_pos())
+        .filter(|at| at.y > header.bottom());
+    let under = here.and_then(|at| nearest(&lines, at.x));
+    let grasp = |at: egui::Pos2| {
+        if at.y > halves.down.top() {
+            Grasp::Ringing
+        } else {
+            Grasp::Level
+        }
+    };
+    let scales = Scales {
+        db: FLOOR_DB / halves.up.height(),
+        folds: 1e4f32.ln() / halves.down.height(),
+    };
+    let held = under.zip(here).map(|(line, at)| (line.label, grasp(at)));
+    trimming.hands(ui, &response, held, &lines, &scales, scene.trims);
+    let told = trimming.told();
+    let pointed = lines.iter().find(|line| Some(line.label) == told).or(under);
     let painter = ui.painter();
     grid(painter, &halves, &hz, &t60, scene.theme);
     for line in &lines {
@@ -61,14 +96,22 @@ pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) -> Option<usize> 
         draw(painter, scene, line, &halves, &t60, on);
     }
     describe(ui, header, scene, pointed.or_else(|| loudest(&lines)));
-    pointed.map(|line| line.number)
+    response.on_hover_cursor(CursorIcon::ResizeVertical);
+    let hint = "Click a partial to hear it alone; drag it up or down to make it louder or softer, its lower half \
+                longer or shorter; right click: as built";
+    Pointed {
+        number: pointed.map(|line| line.number),
+        hint: here.map(|_| hint.to_owned()),
+    }
 }
 
 /// One of the partials in words.
 fn describe(ui: &Ui, header: Rect, scene: &Scene<'_>, told: Option<&Line>) {
     if let Some(line) = told {
-        let label = scene.shown.partials[line.number].label;
-        card(ui, header, &label.to_string(), &line.ringing, scene.theme);
+        let trim = words(&line.trim);
+        let gap = if trim.is_empty() { "" } else { " " };
+        let name = format!("{}{gap}{trim}", line.label);
+        card(ui, header, &name, &line.ringing, scene.theme);
     }
 }
 
@@ -77,13 +120,16 @@ pub(super) fn leading(scene: &Scene<'_>) -> Option<(String, Ringing)> {
     let everywhere = Axis::log([1.0, 1e6], Rangef::new(0.0, 1.0));
     let lines = lines(scene, &everywhere);
     let line = loudest(&lines)?;
-    let label = scene.shown.partials[line.number].label;
-    Some((label.to_string(), line.ringing))
+    Some((line.label.to_string(), line.ringing))
 }
 
 fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
     let position = scene.settings.strike_position;
     let partials = &scene.shown.partials;
+    let trims = scene.trims.get();
+    let alone = trims
+        .solo()
+        .filter(|solo| partials.iter().any(|partial| partial.label == *solo));
     let levels: Vec<f64> = partials
         .iter()
         .map(|partial| partial.level(position, scene.contact_s))
@@ -98,12 +144,17 @@ fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
         .zip(&levels)
         .enumerate()
         .map(|(number, (partial, level))| {
-            let ringing = Ringing::of(partial, &scene.settings.losses, scene.own, held);
+            let trim = trims.get(&partial.label);
+            let ringing = Ringing::of(partial, &scene.settings.losses, scene.own, held)
+                .trimmed(trim.ringing.into());
             let live = scene.shown.live(scene.frame, number);
             Line {
                 number,
+                label: partial.label,
+                trim,
+                mute: alone.is_some_and(|alone| alone != partial.label),
                 x: hz.place(ringing.hz),
-                set_db: below_db(level / most),
+                set_db: below_db(level / most) - trim.level_db,
                 live_db: below_db(live.into()),
                 ringing,
             }
@@ -133,12 +184,14 @@ fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60:
     let (x, width) = (line.x, if on { 4.0 } else { 2.5 });
     let y_of = |db: f32| up.top() + up.height() * (db / FLOOR_DB).clamp(0.0, 1.0);
     let rise = |db: f32| Rangef::new(y_of(db), up.bottom());
-    let audible = line.set_db < FLOOR_DB || line.live_db < FLOOR_DB;
+    let audible = !line.mute && (line.set_db < FLOOR_DB || line.live_db < FLOOR_DB);
     if line.set_db < FLOOR_DB {
         let colour = if on {
             theme.text
         } else {
-            theme.quiet.gamma_multiply(0.6)
+            theme
+                .quiet
+                .gamma_multiply(if line.mute { 0.25 } else { 0.6 })
         };
         painter.vline(x, rise(line.set_db), Stroke::new(width, colour));
     }
@@ -155,6 +208,10 @@ fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60:
             .gamma_multiply(if audible { 1.0 } else { 0.25 });
         painter.vline(x, Rangef::new(y, to), Stroke::new(width, colour));
         y = to;
+    }
+    if line.trim != Trim::NONE {
+        let at = pos2(x, 0.5 * (up.bottom() + down.top()));
+        painter.circle(at, 3.5, theme.glow, Stroke::new(1.5, theme.panel));
     }
     if on {
         let right = x > up.center().x;

@@ -10,14 +10,15 @@ use super::meter::Meter;
 use super::pages::Pages;
 use super::param::Param;
 use super::places::Places;
-use super::plot::{Scene, leading, plot};
+use super::plot::{Pointed, Scene, leading, plot};
 use super::row::{Row, Stage};
 use super::saved::Saved;
 use super::shown::Shown;
 use super::strip::strip;
 use super::theme::{APART, CORNER, NEAR, Theme, small};
+use super::trimming::Trimming;
 use super::view::{Sight, View};
-use super::why::{Leaf, Why};
+use super::why::{Blow, Leaf, Why, damping};
 use crate::engine::{Settings, contact_s};
 use crate::factory;
 use crate::params::Controls;
@@ -41,6 +42,8 @@ pub struct Ui {
     pages: Pages,
     view: View,
     why: Why,
+    trimming: Trimming,
+    blow: Blow,
     /// The theme that egui has been told of.
     dressed: Option<bool>,
 }
@@ -63,6 +66,8 @@ impl Ui {
             pages: Pages::default(),
             view: View::default(),
             why: Why::default(),
+            trimming: Trimming::default(),
+            blow: Blow::default(),
             dressed: None,
         }
     }
@@ -159,7 +164,7 @@ impl Ui {
     ) -> Option<String> {
         let settings = self.controls.settings();
         let contact_s = self.contact_s(index, &settings);
-        let inner = places.why.shrink(APART);
+        let inner = places.why.shrink2(vec2(APART, NEAR));
         let mut leaves = self.why.leaves(ui, inner, places.body.is_none(), theme);
         leaves.extend(places.body.map(|body| (Leaf::Body, body.shrink(APART))));
         let position = self.param("pos");
@@ -174,14 +179,29 @@ impl Ui {
             settings: &settings,
             own: &factory::bank(index).damping,
             contact_s,
+            trims: self.controls.trims(),
             theme,
         };
         let struck = frame.struck.filter(|struck| struck.key == self.shown.key);
         let mut hint = None;
-        let mut pointed = None;
+        let mut pointed = Pointed::default();
+        let solo = self.controls.trims().get().solo();
+        let alone = self
+            .shown
+            .partials
+            .iter()
+            .position(|partial| Some(partial.label) == solo);
         for (leaf, area) in leaves {
             match leaf {
-                Leaf::Partials => pointed = plot(ui, area, &scene),
+                Leaf::Partials => pointed = plot(ui, area, &scene, &mut self.trimming),
+                Leaf::Damping => {
+                    let hold = &mut self.hands.hold;
+                    hint = damping(ui, area, &scene, &self.params, hold, setter);
+                }
+                Leaf::Blow => {
+                    let velocity = f64::from(self.row.velocity) / 127.0;
+                    self.blow.show(ui, area, index, velocity, &scene);
+                }
                 Leaf::Body => {
                     let sight = Sight {
                         instrument: index,
@@ -194,18 +214,19 @@ impl Ui {
                             contact_s,
                             partial: leading(&scene),
                         },
-                        alone: pointed,
+                        alone: pointed.number.or(alone),
                         link: &self.link,
                         theme,
                         velocity: self.row.velocity / 127.0,
                         position: position.as_ref(),
                         setter,
                     };
-                    hint = self.view.show(ui, area, &sight, &mut self.hands.hold);
+                    let told = self.view.show(ui, area, &sight, &mut self.hands.hold);
+                    hint = told.or(hint);
                 }
             }
         }
-        hint
+        hint.or(pointed.hint)
     }
 
     /// How long a click touches the body that is shown, in s.
@@ -243,5 +264,12 @@ impl Ui {
             setter,
         };
         self.row.show(ui, area, &stage, &mut self.hands.hold)
+    }
+}
+
+impl Drop for Ui {
+    /// Nobody is to wonder why a window that is gone lets one partial sound alone.
+    fn drop(&mut self) {
+        self.controls.trims().change(|trims| trims.set_solo(None));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::spec::{Spec, specs};
 use super::text::Text;
+use super::trims::Words;
 use nice_plug::params::persist::deserialize_field;
 use nice_plug::plugin::ParamValue;
 use nice_plug::prelude::PluginState;
@@ -10,7 +11,7 @@ use nice_plug::prelude::PluginState;
 const TEXTS: [&str; 2] = ["scale", "kbm"];
 
 /// Brings every value into its range and gives every parameter that is missing its default; what is
-/// not known stays. A tuning that is missing is none.
+/// not known stays. A tuning that is missing is none, and so are trims that nobody can read.
 ///
 /// Hosts hand over what a file says: without this an infinite gain goes through, and a song from
 /// before a parameter existed keeps whatever value that parameter had.
@@ -25,6 +26,10 @@ pub fn heal(state: &mut PluginState) {
             // An empty text as JSON.
             "\"\"".clone_into(field);
         }
+    }
+    let field = state.fields.entry("trims".to_owned()).or_default();
+    if deserialize_field::<Words>(field).is_err() {
+        "[]".clone_into(field);
     }
 }
 

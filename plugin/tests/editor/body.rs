@@ -72,7 +72,7 @@ fn a_bowl_is_struck_inside_and_outside() {
     let mut harness = bench.harness();
     harness.run_steps(2);
     let at = |share| spot(&harness, "Body C4", share);
-    let (inside, below) = (at(vec2(0.0, -0.05)), at(vec2(0.0, 0.25)));
+    let (inside, below) = (at(vec2(0.0, -0.05)), at(vec2(0.0, 0.19)));
     let inside = click(&bench, &mut harness, inside).unwrap();
     let below = click(&bench, &mut harness, below).unwrap();
     assert!(

@@ -119,3 +119,52 @@ fn causes_of_damping_have_their_colours() {
     let drawn = draw(&bench, USUAL, 1.0, Some((tab, true)));
     check("vibraphone-damping", &drawn);
 }
+
+/// The window after a click on a tab.
+fn leaf(bench: &Bench, size: [f32; 2], scale: f32, tab: Pos2) -> Pixels {
+    draw(bench, size, scale, Some((tab, true)))
+}
+
+#[test]
+fn why_it_ends_and_what_the_mallet_does() {
+    let bench = Bench::new("vibraphone");
+    bench.set("alpha1", 0.4);
+    bench.set("tanphi", 0.5);
+    bench.set("alpha2", 0.3);
+    bench.ring("vibraphone", &[(60, 0.9)], 0.1);
+    let decay = Pos2::ZERO + vec2(101.0, 463.0);
+    check("vibraphone-decay", &leaf(&bench, USUAL, 1.0, decay));
+    check("vibraphone-decay-2x", &leaf(&bench, USUAL, 2.0, decay));
+    let blow = Pos2::ZERO + vec2(155.0, 463.0);
+    check("vibraphone-blow", &leaf(&bench, USUAL, 1.0, blow));
+    check("vibraphone-blow-2x", &leaf(&bench, USUAL, 2.0, blow));
+}
+
+#[test]
+fn one_mode_alone_with_its_nodal_lines() {
+    let bench = Bench::new("singing-bowls");
+    bench.ring("singing-bowls", &[(60, 0.9)], 0.2);
+    let label = |name: &str| {
+        let bank = idiophone::factory::bank(3);
+        let modes = bank.bodies[12].modes.iter();
+        modes
+            .map(|mode| mode.label)
+            .find(|label| label.to_string() == name)
+    };
+    bench
+        .controls
+        .trims()
+        .change(|trims| trims.set_solo(label("shell (3,0) a")));
+    check("singing-bowls-mode", &draw(&bench, USUAL, 1.0, None));
+    check("singing-bowls-mode-2x", &draw(&bench, USUAL, 2.0, None));
+}
+
+#[test]
+fn a_wide_window() {
+    let bench = Bench::new("singing-bowls");
+    bench.ring("singing-bowls", &[(60, 0.9)], 0.2);
+    check(
+        "singing-bowls-wide",
+        &draw(&bench, [1920.0, 1080.0], 1.0, None),
+    );
+}

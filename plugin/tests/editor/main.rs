@@ -10,5 +10,6 @@ mod body;
 mod host;
 mod knobs;
 mod looks;
+mod partials;
 mod picture;
 mod raster;

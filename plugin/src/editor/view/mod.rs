@@ -34,6 +34,8 @@ use sway::Sway;
 
 /// Density in kg/m³ from which a material shines as metals do.
 const SHINES: f64 = 2600.0;
+/// Height of what lies below the body.
+const CONTROLS: f32 = 14.0;
 /// Zoom of a notch of the wheel, and turn in points of drag of an arrow key.
 const NOTCH: f32 = 1.15;
 const ARROW: f32 = 12.0;
@@ -107,7 +109,8 @@ impl View {
         let Some((key, solid)) = self.follow(sight) else {
             return None;
         };
-        let stage = Rect::from_min_max(pos2(area.left(), area.top() + CAPTION), area.max);
+        let top_left = pos2(area.left(), area.top() + CAPTION);
+        let stage = Rect::from_min_max(top_left, area.max - vec2(0.0, CONTROLS));
         let response = ui.interact(area, Id::unique("body"), Sense::click_and_drag());
         let name = format!("Body {}", key_name(key));
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));

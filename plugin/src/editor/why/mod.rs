@@ -1,5 +1,11 @@
 //! Why a body sounds as it does: leaves that lie on one another where there is no room for all.
 
+mod blow;
+mod damping;
+
+pub(super) use blow::Blow;
+pub(super) use damping::damping;
+
 use super::places::halves;
 use super::tabs::{TABS, tabs};
 use super::theme::{NEAR, Theme, small};
@@ -17,15 +23,21 @@ pub(super) enum Leaf {
     Body,
     /// How loud each mode is and how long it rings.
     Partials,
+    /// What takes its energy at which frequency.
+    Damping,
+    /// What the mallet does to it.
+    Blow,
 }
 
 impl Leaf {
-    const REASONS: [Self; 1] = [Self::Partials];
+    const REASONS: [Self; 3] = [Self::Partials, Self::Damping, Self::Blow];
 
     fn name(self) -> &'static str {
         match self {
             Self::Body => "Object",
             Self::Partials => "Partials",
+            Self::Damping => "Decay",
+            Self::Blow => "Blow",
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod joined;
 mod pushed;
+mod trimmed;
 mod tuned;
 
 pub(crate) use pushed::Strike;
@@ -15,6 +16,7 @@ use super::source::{Hearing, Reached, Source, reached};
 use super::sympathy::Strand;
 use pushed::MALLETS;
 use std::ops::Range;
+use trimmed::Trimmed;
 
 /// Amplitude below which a mode is stopped, as a fraction of full scale: −180 dB.
 pub(crate) const FLOOR: f64 = 1e-9;
@@ -34,6 +36,7 @@ pub(crate) struct Body {
     /// What is heard of it otherwise at the end of this cell than at its start.
     pub(crate) fading: Moved,
     tones: Vec<Tone>,
+    trimmed: Trimmed,
     sources: Vec<Source>,
     /// Leading packs that are heard through a resonator.
     piped: usize,
@@ -83,6 +86,7 @@ impl Body {
             driven: false,
             fading: Moved::NONE,
             piped: usize::from(modes.iter().any(Reached::is_piped)),
+            trimmed: Trimmed::new(&modes),
             tones,
             sources,
             normal,
