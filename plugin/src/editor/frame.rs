@@ -20,6 +20,8 @@ pub struct Frame {
     pub swings: Vec<f32>,
     /// What holds that body.
     pub held: Held,
+    /// Samples of a second; 0 if unknown.
+    pub rate_hz: f64,
     /// Greatest samples of the left and the right channel since the frame before.
     pub peaks: [f32; 2],
 }
@@ -34,6 +36,7 @@ impl Default for Frame {
             levels: Vec::with_capacity(MOST_MODES),
             swings: Vec::with_capacity(MOST_MODES),
             held: Held::default(),
+            rate_hz: 0.0,
             peaks: [0.0; 2],
         }
     }
@@ -44,6 +47,7 @@ impl Frame {
     pub fn fill(&mut self, instrument: usize, engine: &Engine, peaks: [f32; 2]) {
         self.instrument = instrument;
         self.peaks = peaks;
+        self.rate_hz = engine.sample_rate_hz();
         self.struck = engine.struck();
         engine.energies_j(&mut self.energies_j);
         self.levels.resize(MOST_MODES, 0.0);

@@ -25,6 +25,7 @@ mod plot;
 mod reporter;
 mod ringing;
 mod row;
+mod samples;
 mod saved;
 mod shown;
 mod solid;

@@ -115,11 +115,12 @@ fn describe(ui: &Ui, header: Rect, scene: &Scene<'_>, told: Option<&Line>) {
     }
 }
 
-/// The name and decay of the partial that is loudest now, or would be.
-pub(super) fn leading(scene: &Scene<'_>) -> Option<(String, Ringing)> {
+/// The name and decay of the partial that is heard alone, or else is loudest now, or would be.
+pub(super) fn leading(scene: &Scene<'_>, alone: Option<usize>) -> Option<(String, Ringing)> {
     let everywhere = Axis::log([1.0, 1e6], Rangef::new(0.0, 1.0));
     let lines = lines(scene, &everywhere);
-    let line = loudest(&lines)?;
+    let only = lines.iter().find(|line| Some(line.number) == alone);
+    let line = only.or_else(|| loudest(&lines))?;
     Some((line.label.to_string(), line.ringing))
 }
 

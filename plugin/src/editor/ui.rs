@@ -18,7 +18,7 @@ use super::strip::strip;
 use super::theme::{APART, CORNER, NEAR, Theme, small};
 use super::trimming::Trimming;
 use super::view::{Sight, View};
-use super::why::{Blow, Leaf, Why, damping};
+use super::why::{Blow, Leaf, Spectrum, Why, damping};
 use crate::engine::{Settings, contact_s};
 use crate::factory;
 use crate::params::Controls;
@@ -44,6 +44,7 @@ pub struct Ui {
     why: Why,
     trimming: Trimming,
     blow: Blow,
+    spectrum: Spectrum,
     /// The theme that egui has been told of.
     dressed: Option<bool>,
 }
@@ -68,6 +69,7 @@ impl Ui {
             why: Why::default(),
             trimming: Trimming::default(),
             blow: Blow::default(),
+            spectrum: Spectrum::default(),
             dressed: None,
         }
     }
@@ -82,6 +84,7 @@ impl Ui {
     /// A new window: egui knows nothing of the theme yet.
     pub fn undress(&mut self) {
         self.dressed = None;
+        self.spectrum.forget();
     }
 
     /// Draws everything, plays what is played, and sets what is set.
@@ -95,6 +98,7 @@ impl Ui {
         if self.link.look(&mut self.frame) {
             self.meter.hear(self.frame.peaks);
         }
+        self.spectrum.hear(&self.link, self.frame.rate_hz);
         // A gesture whose widget is gone ends with the button.
         if !ui.input(|input| input.pointer.any_down())
             && !ui.input(|input| input.pointer.any_released())
@@ -202,6 +206,7 @@ impl Ui {
                     let velocity = f64::from(self.row.velocity) / 127.0;
                     self.blow.show(ui, area, index, velocity, &scene);
                 }
+                Leaf::Spectrum => self.spectrum.show(ui, area, theme),
                 Leaf::Body => {
                     let sight = Sight {
                         instrument: index,
@@ -212,7 +217,7 @@ impl Ui {
                             position: struck.map_or(settings.strike_position, |s| s.position)
                                 as f32,
                             contact_s,
-                            partial: leading(&scene),
+                            partial: leading(&scene, alone),
                         },
                         alone: pointed.number.or(alone),
                         link: &self.link,

@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn softer_heads_press_longer_and_less() {
-        let bank = factory::bank(0);
+        let bank = factory::bank(1);
         let body = &bank.bodies[24];
         let soft = Settings {
             mallet: Mallet {

@@ -100,6 +100,7 @@ impl Bench {
         for (key, velocity) in blows {
             assert!(engine.strike(*key, *velocity), "there is a body for {key}");
             engine.process(&mut left, &mut right);
+            self.link.hear(&left, &right);
         }
         let peak = |samples: &[f32]| samples.iter().fold(0.0f32, |most, x| most.max(x.abs()));
         let peaks = [peak(&left), peak(&right)];

@@ -9,6 +9,7 @@ use nice_plug::prelude::ParamSetter;
 /// Draws a window of `size` points after the pointer has come to a place and, if so said, clicked there.
 fn draw(bench: &Bench, size: [f32; 2], scale: f32, pointer: Option<(Pos2, bool)>) -> Pixels {
     let context = Context::default();
+    bench.ui.borrow_mut().undress();
     let mut raster = Raster::default();
     let mut drawn = None;
     // Sizes settle, and what moves comes to rest.
@@ -138,6 +139,16 @@ fn why_it_ends_and_what_the_mallet_does() {
     let blow = Pos2::ZERO + vec2(155.0, 463.0);
     check("vibraphone-blow", &leaf(&bench, USUAL, 1.0, blow));
     check("vibraphone-blow-2x", &leaf(&bench, USUAL, 2.0, blow));
+}
+
+#[test]
+fn what_has_been_heard() {
+    let bench = Bench::new("singing-bowls");
+    let blows: Vec<(u8, f32)> = (0..12).map(|i| (55 + 2 * (i % 5), 0.9)).collect();
+    bench.ring("singing-bowls", &blows, 0.3);
+    let tab = Pos2::ZERO + vec2(215.0, 463.0);
+    check("singing-bowls-spectrum", &leaf(&bench, USUAL, 1.0, tab));
+    check("singing-bowls-spectrum-2x", &leaf(&bench, USUAL, 2.0, tab));
 }
 
 #[test]

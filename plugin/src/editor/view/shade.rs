@@ -52,9 +52,9 @@ impl Shade {
         // A bright ceiling over a dim floor, with a soft line between.
         let sky = 0.5 + 0.5 * (2.6 * mirrored[1]).clamp(-1.0, 1.0);
         let spread = 0.24 + 0.64 * lit;
-        let mirror = 0.24 + 0.74 * sky * sky;
+        let mirror = 0.26 + 0.72 * sky * sky + 0.22 * (1.0 - sky) * (1.0 - facing);
         let body = spread + self.metal * (mirror - spread);
-        let edge = 1.0 - 0.35 * (1.0 - facing).powi(3);
+        let edge = 1.0 - 0.2 * (1.0 - facing).powi(3);
         let mut rgb = [0.0; 3];
         for k in 0..3 {
             let base = self.own[k] + warm * (towards[k] - self.own[k]);

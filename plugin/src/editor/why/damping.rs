@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 
 /// Frequencies in Hz and decay rates in 1/s that are drawn.
 const HZ: [f64; 2] = [40.0, 20e3];
-const PER_S: [f64; 2] = [0.05, 1000.0];
+const PER_S: [f64; 2] = [0.05, 5000.0];
 /// The parameters with handles, their causes and where the handles are, in Hz.
 const HANDLES: [(&str, Cause, f64); 3] = [
     ("alpha2", Cause::Alpha2, 80.0),
@@ -182,7 +182,11 @@ fn stem(painter: &Painter, board: &Board<'_>, ringing: &Ringing) {
     for (cause, share) in Cause::ALL.into_iter().zip(ringing.shares()) {
         let to = y + (top - bottom) * share as f32;
         let colour = board.scene.theme.cause(cause);
-        painter.vline(x, Rangef::new(to, y), Stroke::new(2.0, colour));
+        painter.vline(
+            x,
+            Rangef::new(to, y),
+            Stroke::new(1.5, colour.gamma_multiply(0.9)),
+        );
         y = to;
     }
 }

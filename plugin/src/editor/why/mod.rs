@@ -2,16 +2,19 @@
 
 mod blow;
 mod damping;
+mod fourier;
+mod spectrum;
 
 pub(super) use blow::Blow;
 pub(super) use damping::damping;
+pub(super) use spectrum::Spectrum;
 
 use super::places::halves;
 use super::tabs::{TABS, tabs};
 use super::theme::{NEAR, Theme, small};
 use egui::{Align2, Rect, Ui, pos2, vec2};
 
-/// Least room in which all leaves lie side by side.
+/// Least room in which all leaves lie side by side; with that height alone, partials and one other.
 const ALL: [f32; 2] = [900.0, 620.0];
 /// Height of a leaf's name there.
 const NAME: f32 = 18.0;
@@ -27,10 +30,12 @@ pub(super) enum Leaf {
     Damping,
     /// What the mallet does to it.
     Blow,
+    /// What has been heard of late.
+    Spectrum,
 }
 
 impl Leaf {
-    const REASONS: [Self; 3] = [Self::Partials, Self::Damping, Self::Blow];
+    const REASONS: [Self; 4] = [Self::Partials, Self::Damping, Self::Blow, Self::Spectrum];
 
     fn name(self) -> &'static str {
         match self {
@@ -38,6 +43,7 @@ impl Leaf {
             Self::Partials => "Partials",
             Self::Damping => "Decay",
             Self::Blow => "Blow",
+            Self::Spectrum => "Spectrum",
         }
     }
 }
@@ -57,19 +63,28 @@ impl Why {
         with_body: bool,
         theme: &Theme,
     ) -> Vec<(Leaf, Rect)> {
-        if !with_body && area.width() >= ALL[0] && area.height() >= ALL[1] {
+        let tall = !with_body && area.height() >= ALL[1];
+        if tall && area.width() >= ALL[0] {
             return spread(ui, area, theme);
         }
-        let mut all = Vec::new();
-        if with_body {
-            all.push(Leaf::Body);
+        if tall {
+            let [above, below] = halves(area, 0.5, false);
+            let first = named(ui, Leaf::Partials, above, theme);
+            return vec![first, self.chosen(ui, below, &Leaf::REASONS[1..], theme)];
         }
-        all.extend(Leaf::REASONS);
+        let mut all = Leaf::REASONS.to_vec();
+        if with_body {
+            all.insert(0, Leaf::Body);
+        }
+        vec![self.chosen(ui, area, &all, theme)]
+    }
+
+    /// The tabs of some leaves, and the one that lies on top.
+    fn chosen(&mut self, ui: &Ui, area: Rect, all: &[Leaf], theme: &Theme) -> (Leaf, Rect) {
         let names: Vec<&str> = all.iter().map(|leaf| leaf.name()).collect();
-        self.open = self.open.min(all.len() - 1);
-        self.open = tabs(ui, area, &names, self.open, theme);
+        self.open = tabs(ui, area, &names, self.open.min(all.len() - 1), theme);
         let rest = Rect::from_min_max(pos2(area.left(), area.top() + TABS + NEAR), area.max);
-        vec![(all[self.open], rest)]
+        (all[self.open], rest)
     }
 }
 
@@ -82,12 +97,15 @@ fn spread(ui: &Ui, area: Rect, theme: &Theme) -> Vec<(Leaf, Rect)> {
     Leaf::REASONS
         .into_iter()
         .zip(places)
-        .map(|(leaf, place)| {
-            let at = place.left_top() + vec2(2.0, 0.0);
-            ui.painter()
-                .text(at, Align2::LEFT_TOP, leaf.name(), small(), theme.quiet);
-            let top = pos2(place.left(), place.top() + NAME);
-            (leaf, Rect::from_min_max(top, place.max))
-        })
+        .map(|(leaf, place)| named(ui, leaf, place, theme))
         .collect()
+}
+
+/// A leaf under its name.
+fn named(ui: &Ui, leaf: Leaf, place: Rect, theme: &Theme) -> (Leaf, Rect) {
+    let at = place.left_top() + vec2(2.0, 0.0);
+    ui.painter()
+        .text(at, Align2::LEFT_TOP, leaf.name(), small(), theme.quiet);
+    let top = pos2(place.left(), place.top() + NAME);
+    (leaf, Rect::from_min_max(top, place.max))
 }

@@ -223,6 +223,12 @@ impl Engine {
         }
     }
 
+    /// Samples of a second.
+    #[must_use]
+    pub fn sample_rate_hz(&self) -> f64 {
+        self.step_s.recip()
+    }
+
     /// The keys whose bodies sound, bit 0 for key 0.
     #[must_use]
     pub fn awake(&self) -> u128 {
