@@ -61,7 +61,9 @@ pub(super) fn place(kind: Kind, position: f32) -> String {
         format!("at {from}")
     } else if percent > 99.5 {
         format!("at {to}")
+    } else if percent > 70.0 {
+        format!("{:.0} % from {to}", 100.0 - percent)
     } else {
-        format!("{percent:.0} % of the way from {from} to {to}")
+        format!("{percent:.0} % from {from}")
     }
 }

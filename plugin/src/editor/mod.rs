@@ -48,4 +48,5 @@ pub use saved::{LEAST_SIZE, Saved, USUAL_SIZE};
 pub use solid::{Solid, Vector};
 pub use theme::Cause;
 pub use ui::Ui;
+pub use view::{Paint, Portrait, Swinging};
 pub use window::Window;

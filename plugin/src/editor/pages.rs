@@ -4,19 +4,34 @@ use super::choice::{choice, switch};
 use super::hands::Hands;
 use super::knob::{CELL, knob};
 use super::param::Param;
-use super::tabs::{TABS, tabs};
+use super::tabs::{TABS, Tab, tabs};
 use super::theme::{NEAR, SIDE, Theme, small};
 use egui::{Align, Align2, Layout, Rect, ScrollArea, Sense, Ui, UiBuilder, pos2, vec2};
 use nice_plug::prelude::ParamSetter;
 
 /// Pages and the groups that are on them; what is in no group listed here is on the last.
-const PAGES: [(&str, &[&str]); 6] = [
-    ("Strike", &["Strike", "Mallet"]),
-    ("Damping", &["Damping"]),
-    ("Bow", &["Bow"]),
-    ("Body", &["Body", "Motor"]),
-    ("Sound", &["Listener", "Output"]),
-    ("Hands", &[]),
+const PAGES: [(Tab, &[&str]); 6] = [
+    (
+        ("Strike", "Where bodies are struck, how hard, and with what"),
+        &["Strike", "Mallet"],
+    ),
+    (
+        ("Damping", "What takes the sound away, and how fast"),
+        &["Damping"],
+    ),
+    (
+        ("Bow", "Whether keys rub instead of striking, and how"),
+        &["Bow"],
+    ),
+    (
+        ("Body", "Size, material and surroundings of the bodies"),
+        &["Body", "Motor"],
+    ),
+    (
+        ("Sound", "Where you listen, and how loud"),
+        &["Listener", "Output"],
+    ),
+    (("Hands", "What velocity, wheels and pressure do"), &[]),
 ];
 
 /// Which page is open.
@@ -57,7 +72,7 @@ impl Pages {
         if !there.contains(&self.open) {
             self.open = there.first().copied().unwrap_or(0);
         }
-        let names: Vec<&str> = there.iter().map(|page| PAGES[*page].0).collect();
+        let names: Vec<Tab> = there.iter().map(|page| PAGES[*page].0).collect();
         let open = there.iter().position(|page| *page == self.open);
         let chosen = tabs(ui, area, &names, open.unwrap_or(0), theme);
         self.open = there.get(chosen).copied().unwrap_or(self.open);

@@ -6,20 +6,23 @@ use egui::{Align2, CursorIcon, Id, Rect, Role, Sense, Stroke, Ui, WidgetInfo, po
 /// Height of the line of tabs.
 pub(super) const TABS: f32 = 26.0;
 
-/// Draws the tabs called `names` at the top of `area`, of which `open` is open; the one that is from now on.
-pub(super) fn tabs(ui: &Ui, area: Rect, names: &[&str], open: usize, theme: &Theme) -> usize {
+/// A tab's name, and what is on it.
+pub(super) type Tab = (&'static str, &'static str);
+
+/// Draws tabs at the top of `area`, of which `open` is open; the one that is from now on.
+pub(super) fn tabs(ui: &Ui, area: Rect, all: &[Tab], open: usize, theme: &Theme) -> usize {
     let text_width = |name: &str| {
         let text = ui
             .painter()
             .layout_no_wrap(name.to_owned(), body(), theme.text);
         text.size().x
     };
-    let texts: f32 = names.iter().map(|name| text_width(name)).sum();
-    let room = (area.width() - texts) / names.len().max(1) as f32;
+    let texts: f32 = all.iter().map(|(name, _)| text_width(name)).sum();
+    let room = (area.width() - texts) / all.len().max(1) as f32;
     let room = room.clamp(NEAR, 2.0 * SIDE);
     let mut chosen = open;
     let mut x = area.left();
-    for (number, name) in names.iter().enumerate() {
+    for (number, (name, tip)) in all.iter().enumerate() {
         let width = text_width(name) + room;
         let rect = Rect::from_min_size(pos2(x, area.top()), vec2(width, TABS));
         x += width;
@@ -43,7 +46,9 @@ pub(super) fn tabs(ui: &Ui, area: Rect, names: &[&str], open: usize, theme: &The
                 Stroke::new(2.0, theme.glow),
             );
         }
-        response.on_hover_cursor(CursorIcon::PointingHand);
+        response
+            .on_hover_cursor(CursorIcon::PointingHand)
+            .on_hover_text(*tip);
     }
     ui.painter().hline(
         area.x_range(),

@@ -4,33 +4,30 @@ mod camera;
 mod marks;
 mod nodal;
 mod picture;
+mod portrait;
 mod shade;
 mod sway;
 
-use camera::Camera;
+pub use portrait::{Paint, Portrait, Swinging};
 
 use super::caption::{CAPTION, Told, caption, place};
-use super::figure::{Kind, key_name, tint};
+use super::figure::{key_name, tint};
 use super::frame::Frame;
 use super::hold::Hold;
 use super::knob::notches;
 use super::link::{Link, Touch};
 use super::param::Param;
 use super::shown::Shown;
-use super::solid::{Solid, Vector, add};
+use super::solid::{Solid, Vector};
 use super::theme::{Cause, NEAR, Theme};
 use crate::factory;
-use camera::Lens;
+use camera::Camera;
 use egui::{
-    CursorIcon, EventFilter, Id, Key, PointerButton, Pos2, Rect, Response, Role, Sense, Shape, Ui,
-    Vec2, WidgetInfo, pos2, vec2,
+    CursorIcon, EventFilter, Id, Key, PointerButton, Rect, Response, Role, Sense, Shape, Ui, Vec2,
+    WidgetInfo, pos2, vec2,
 };
 use marks::{Mark, controls, mark};
 use nice_plug::prelude::ParamSetter;
-use nodal::nodal_lines;
-use picture::{Picture, colours};
-use shade::Shade;
-use sway::Sway;
 
 /// Density in kg/m³ from which a material shines as metals do.
 const SHINES: f64 = 2600.0;
@@ -42,11 +39,9 @@ const ARROW: f32 = 12.0;
 
 /// What the panel remembers.
 pub(super) struct View {
-    camera: Camera,
     /// Instrument and key of the body, and its surface.
     solid: Option<(usize, u8, Solid)>,
-    sway: Sway,
-    picture: Picture,
+    portrait: Portrait,
     /// How far the picture exaggerates, 1 for well to be seen, 0 for not at all.
     motion: f32,
     press: Press,
@@ -86,10 +81,8 @@ impl Sight<'_, '_> {
 impl Default for View {
     fn default() -> Self {
         Self {
-            camera: Camera::on(Kind::Bar),
             solid: None,
-            sway: Sway::default(),
-            picture: Picture::default(),
+            portrait: Portrait::default(),
             motion: 1.0,
             press: Press::Nothing,
             clicked: None,
@@ -106,22 +99,17 @@ impl View {
         sight: &Sight<'_, '_>,
         hold: &mut Hold,
     ) -> Option<String> {
-        let Some((key, solid)) = self.follow(sight) else {
-            return None;
-        };
+        let (key, solid) = self.follow(sight)?;
         let top_left = pos2(area.left(), area.top() + CAPTION);
         let stage = Rect::from_min_max(top_left, area.max - vec2(0.0, CONTROLS));
         let response = ui.interact(area, Id::unique("body"), Sense::click_and_drag());
         let name = format!("Body {}", key_name(key));
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-        let lens = self.camera.lens(&solid, stage);
-        self.swing(ui, &solid, &lens, sight);
-        self.picture.look(&solid, &self.sway.moved_m, &lens);
+        self.paint(ui, stage, &solid, sight);
         let hovered = response.hover_pos().filter(|at| stage.contains(*at));
-        let on = hovered.and_then(|at| self.struck_at(&solid, at));
+        let on = hovered.and_then(|at| self.portrait.struck_at(&solid, at));
         self.hands(ui, &response, (key, &solid), sight, hold);
-        self.paint(ui, stage, &solid, &lens, sight);
-        self.mark(ui, &solid, &lens, sight, on);
+        self.mark(ui, &solid, sight, on);
         caption(ui, area, solid.kind, &sight.told, sight.theme);
         controls(ui, area, &mut self.motion, solid.thicker, sight);
         let cursor = match (self.press, on) {
@@ -153,45 +141,10 @@ impl View {
         let bank = factory::bank(sight.instrument);
         let body = bank.bodies.iter().find(|body| body.key == key)?;
         let solid = Solid::of(body, &bank.material);
-        self.sway.forget(instrument != Some(sight.instrument));
+        let other = instrument != Some(sight.instrument);
+        self.portrait.turn_to(&solid, other);
         self.clicked = None;
-        if self.camera.kind() != solid.kind {
-            self.camera = Camera::on(solid.kind);
-        }
         Some((key, solid))
-    }
-
-    /// Moves the surface.
-    fn swing(&mut self, ui: &Ui, solid: &Solid, lens: &Lens, sight: &Sight<'_, '_>) {
-        self.sway.pass(ui.input(|input| input.stable_dt).min(0.1));
-        let radius_m = lens.radius_m;
-        let moves = match sight.alone {
-            Some(mode) => {
-                self.sway.alone(solid, mode, radius_m, self.motion);
-                true
-            }
-            None => {
-                let (shown, frame) = (sight.shown(), sight.frame);
-                self.sway.live(solid, shown, frame, radius_m, self.motion)
-            }
-        };
-        if moves {
-            ui.ctx().request_repaint();
-        }
-    }
-
-    /// The point of the surface at a place on the screen, and the place on the strike line that a blow
-    /// there counts as.
-    fn struck_at(&self, solid: &Solid, at: Pos2) -> Option<(Vector, f32)> {
-        let (number, shares) = self.picture.pick(solid, at)?;
-        let corners = solid.triangles[number as usize];
-        let mut point = [0.0; 3];
-        let mut place = 0.0;
-        for (i, share) in corners.into_iter().zip(shares) {
-            point = add(point, share, solid.points_m[i as usize]);
-            place += share * solid.places[i as usize];
-        }
-        Some((point, place.clamp(0.0, 1.0)))
     }
 
     /// What pointer and keys do.
@@ -209,7 +162,7 @@ impl View {
                 let on = response
                     .interact_pointer_pos()
                     .filter(|_| primary)
-                    .and_then(|at| self.struck_at(solid, at));
+                    .and_then(|at| self.portrait.struck_at(solid, at));
                 self.press = match on {
                     Some((point, place)) => {
                         self.strike(key, place, sight, hold);
@@ -219,14 +172,14 @@ impl View {
                     None => Press::Turns,
                 };
             } else if self.press == Press::Turns {
-                self.camera.turn(response.drag_delta());
+                self.portrait.camera.turn(response.drag_delta());
             }
         } else {
             if let Press::Struck(key) = self.press {
                 sight.link.touch(Touch::Release { key });
                 hold.let_go(sight.setter);
             } else if response.double_clicked() {
-                self.camera = Camera::on(solid.kind);
+                self.portrait.camera = Camera::on(solid.kind);
             } else if response.clicked() && !ui.input(|input| input.pointer.any_released()) {
                 let set = sight.position.map_or(0.0, |param| param.plain() / 100.0);
                 self.touch(key, set, sight);
@@ -235,7 +188,7 @@ impl View {
             self.press = Press::Nothing;
         }
         if response.hovered() {
-            self.camera.approach(NOTCH.powf(notches(ui)));
+            self.portrait.camera.approach(NOTCH.powf(notches(ui)));
         }
         if response.has_focus() {
             self.arrows(ui, response);
@@ -260,10 +213,10 @@ impl View {
             .into_iter()
             .filter(|(key, _)| pressed(*key))
             .fold(Vec2::ZERO, |sum, (_, by)| sum + by);
-        self.camera.turn(turn);
+        self.portrait.camera.turn(turn);
         for (key, factor) in [(Key::PageUp, NOTCH), (Key::PageDown, 1.0 / NOTCH)] {
             if pressed(key) {
-                self.camera.approach(factor);
+                self.portrait.camera.approach(factor);
             }
         }
     }
@@ -285,46 +238,50 @@ impl View {
         });
     }
 
-    fn paint(&mut self, ui: &Ui, area: Rect, solid: &Solid, lens: &Lens, sight: &Sight<'_, '_>) {
+    fn paint(&mut self, ui: &Ui, area: Rect, solid: &Solid, sight: &Sight<'_, '_>) {
         let theme = sight.theme;
         let material = &factory::bank(sight.instrument).material;
-        let metal = material.density_kg_m3 > SHINES;
-        let own = Theme::mix(
-            tint(material, false),
-            theme.panel,
-            if theme.dark { 0.08 } else { 0.0 },
-        );
-        let shade = match sight.alone {
-            Some(_) => Shade::new(own, [theme.glow, theme.cause(Cause::Radiation)], metal),
-            None => Shade::glowing(own, metal, theme),
+        let hz: Vec<f64> = sight.shown().partials.iter().map(|p| p.hz).collect();
+        let ours = sight
+            .frame
+            .struck
+            .is_some_and(|struck| struck.key == sight.shown().key);
+        let swinging = Swinging {
+            hz: &hz,
+            swings: if ours { &sight.frame.swings } else { &[] },
+            alone: sight.alone,
+            times: self.motion,
         };
-        let colours = colours(solid, &shade, &self.sway.out, lens);
-        let lines = match sight.alone {
-            Some(mode) => {
-                let motion = self.sway.motion(solid, mode).0.clone();
-                nodal_lines(solid, &motion, &self.sway.moved_m)
-            }
-            None => Vec::new(),
+        let passed_s = ui.input(|input| input.stable_dt).min(0.1);
+        if self.portrait.swing(solid, area, &swinging, passed_s) {
+            ui.ctx().request_repaint();
+        }
+        let inwards = match sight.alone {
+            Some(_) => theme.cause(Cause::Radiation),
+            None => theme.glow,
         };
-        let pixel = 1.0 / ui.ctx().pixels_per_point();
-        let ink = theme.text;
-        let mesh = self
-            .picture
-            .mesh(solid, &colours, (&lines, ink), lens, pixel);
+        let paint = Paint {
+            own: Theme::mix(
+                tint(material, false),
+                theme.panel,
+                if theme.dark { 0.08 } else { 0.0 },
+            ),
+            moving: [theme.glow, inwards],
+            ink: theme.text,
+            metal: material.density_kg_m3 > SHINES,
+            pixel: 1.0 / ui.ctx().pixels_per_point(),
+        };
+        let mesh = self.portrait.mesh(solid, &swinging, &paint);
         ui.painter()
             .with_clip_rect(area.expand(NEAR))
             .add(Shape::mesh(mesh));
     }
 
     /// Marks where the body was struck last, where notes strike it, and where a click would.
-    fn mark(
-        &self,
-        ui: &Ui,
-        solid: &Solid,
-        lens: &Lens,
-        sight: &Sight<'_, '_>,
-        on: Option<(Vector, f32)>,
-    ) {
+    fn mark(&self, ui: &Ui, solid: &Solid, sight: &Sight<'_, '_>, on: Option<(Vector, f32)>) {
+        let Some(lens) = &self.portrait.lens else {
+            return;
+        };
         let struck = sight
             .frame
             .struck

@@ -1,7 +1,6 @@
 //! The light on a surface.
 
 use super::super::solid::{Vector, dot, unit};
-use super::super::theme::Theme;
 use egui::Color32;
 
 /// Where the lamp is, as the eye sees it: left, above, near.
@@ -33,11 +32,6 @@ impl Shade {
             metal: if metal { 0.62 } else { 0.12 },
             lamp: unit(LAMP),
         }
-    }
-
-    /// For the usual look: what moves glows.
-    pub(super) fn glowing(own: Color32, metal: bool, theme: &Theme) -> Self {
-        Self::new(own, [theme.glow; 2], metal)
     }
 
     /// The colour where the normal is so for the eye and the surface moves so far along it, −1…1.

@@ -1,13 +1,16 @@
 //! How far the modes move the surface now: slowed, exaggerated, or one alone.
 
-use super::super::frame::Frame;
-use super::super::shown::Shown;
 use super::super::solid::{Solid, Vector, add, dot};
+use super::portrait::Swinging;
 use std::collections::HashMap;
 use std::f32::consts::TAU;
 
 /// Modes that move the picture at most; the rest move it less than these.
 const MOVERS: usize = 24;
+/// Modes whose motion is kept.
+const KEPT: usize = 4 * MOVERS;
+/// Least exaggeration of a mode alone, which is to be seen.
+const LEAST: f32 = 0.3;
 /// Swings a second of the slowest mode, and how swings of others go with their frequency: at the same
 /// ratio the fastest would be a blur.
 const SLOWEST_HZ: f32 = 1.3;
@@ -47,6 +50,9 @@ impl Sway {
 
     /// What a mode does to the points of `solid`.
     pub(super) fn motion(&mut self, solid: &Solid, mode: usize) -> &(Vec<Vector>, f32) {
+        if self.known.len() >= KEPT && !self.known.contains_key(&mode) {
+            self.known.clear();
+        }
         self.known.entry(mode).or_insert_with(|| {
             let motion = solid.motion(mode);
             let most = motion.iter().fold(0.0f32, |most, u| most.max(dot(*u, *u)));
@@ -60,33 +66,22 @@ impl Sway {
     }
 
     /// One mode alone, swinging as far as is shown at most.
-    pub(super) fn alone(&mut self, solid: &Solid, mode: usize, radius_m: f32, motion: f32) {
+    pub(super) fn alone(&mut self, solid: &Solid, mode: usize, radius_m: f32, times: f32) {
         self.begin(solid);
         let swing = (TAU * 0.8 * self.time_s).cos();
         let (_, most) = *self.motion(solid, mode);
         if most > 0.0 {
-            let share = GREATEST * radius_m * motion.max(0.3) * swing / most;
+            let share = GREATEST * radius_m * times.max(LEAST) * swing / most;
             self.add(solid, mode, share);
         }
-        self.project(solid, GREATEST * radius_m * motion.max(0.3));
+        self.project(solid, GREATEST * radius_m * times.max(LEAST));
     }
 
-    /// All modes that ring, `motion` times as far as 1 shows them; whether anything moves.
-    pub(super) fn live(
-        &mut self,
-        solid: &Solid,
-        shown: &Shown,
-        frame: &Frame,
-        radius_m: f32,
-        motion: f32,
-    ) -> bool {
+    /// All modes that ring; whether anything moves.
+    pub(super) fn live(&mut self, solid: &Solid, swinging: &Swinging<'_>, radius_m: f32) -> bool {
         self.begin(solid);
-        let ours = frame.struck.is_some_and(|struck| struck.key == shown.key);
-        let mut swings: Vec<(usize, f32)> = if ours {
-            frame.swings.iter().copied().enumerate().collect()
-        } else {
-            Vec::new()
-        };
+        let Swinging { hz, times, .. } = *swinging;
+        let mut swings: Vec<(usize, f32)> = swinging.swings.iter().copied().enumerate().collect();
         swings.retain(|(_, swing)| *swing > 0.0);
         if swings.len() > MOVERS {
             swings.select_nth_unstable_by(MOVERS, |a, b| b.1.total_cmp(&a.1));
@@ -97,19 +92,19 @@ impl Sway {
             sum_m += swing * self.motion(solid, *mode).1;
         }
         self.greatest_m = self.greatest_m.max(sum_m);
-        if motion <= 0.0 || self.greatest_m <= 0.0 || sum_m < STILL * self.greatest_m {
+        if times <= 0.0 || self.greatest_m <= 0.0 || sum_m < STILL * self.greatest_m {
             self.project(solid, 1.0);
             return false;
         }
-        let scale = GREATEST * radius_m * motion / self.greatest_m;
-        let first_hz = shown.partials.first().map_or(1.0, |partial| partial.hz);
+        let scale = GREATEST * radius_m * times / self.greatest_m;
+        let first_hz = hz.first().copied().unwrap_or(1.0);
         for (mode, swing) in swings {
-            let ratio = shown.partials.get(mode).map_or(1.0, |p| p.hz / first_hz) as f32;
+            let ratio = hz.get(mode).map_or(1.0, |hz| hz / first_hz) as f32;
             let slowed_hz = (SLOWEST_HZ * ratio.powf(FASTER)).min(FASTEST_HZ);
             let turn = (TAU * slowed_hz * self.time_s).sin();
             self.add(solid, mode, scale * swing * turn);
         }
-        self.project(solid, GREATEST * radius_m * motion);
+        self.project(solid, GREATEST * radius_m * times);
         true
     }
 

@@ -84,8 +84,9 @@ pub(in super::super) fn damping(
     scales(&painter, &board);
     heap(&painter, &board);
     let inside = painter.with_clip_rect(plot);
+    let trims = scene.trims.get();
     for partial in &scene.shown.partials {
-        let trim = scene.trims.get().get(&partial.label);
+        let trim = trims.get(&partial.label);
         let ringing = Ringing::of(
             partial,
             &scene.settings.losses,
@@ -123,6 +124,7 @@ fn scales(painter: &Painter, board: &Board<'_>) {
         (1.0, "1/s"),
         (10.0, "10/s"),
         (100.0, "100/s"),
+        (1000.0, "1k/s"),
     ] {
         let y = board.per_s.place(per_s);
         painter.hline(area.x_range(), y, fine);

@@ -10,7 +10,7 @@ pub(super) use damping::damping;
 pub(super) use spectrum::Spectrum;
 
 use super::places::halves;
-use super::tabs::{TABS, tabs};
+use super::tabs::{TABS, Tab, tabs};
 use super::theme::{NEAR, Theme, small};
 use egui::{Align2, Rect, Ui, pos2, vec2};
 
@@ -37,13 +37,25 @@ pub(super) enum Leaf {
 impl Leaf {
     const REASONS: [Self; 4] = [Self::Partials, Self::Damping, Self::Blow, Self::Spectrum];
 
-    fn name(self) -> &'static str {
+    fn tab(self) -> Tab {
         match self {
-            Self::Body => "Object",
-            Self::Partials => "Partials",
-            Self::Damping => "Decay",
-            Self::Blow => "Blow",
-            Self::Spectrum => "Spectrum",
+            Self::Body => (
+                "Object",
+                "The body that was struck: click it to strike it there",
+            ),
+            Self::Partials => (
+                "Partials",
+                "How loud each mode is, how long it rings and why; each can be trimmed by hand",
+            ),
+            Self::Damping => (
+                "Decay",
+                "What takes the sound away at which frequency; handles make it last or die",
+            ),
+            Self::Blow => (
+                "Blow",
+                "The force of the last blow: the shorter, the brighter it sounds",
+            ),
+            Self::Spectrum => ("Spectrum", "What has sounded in the last four seconds"),
         }
     }
 }
@@ -81,7 +93,7 @@ impl Why {
 
     /// The tabs of some leaves, and the one that lies on top.
     fn chosen(&mut self, ui: &Ui, area: Rect, all: &[Leaf], theme: &Theme) -> (Leaf, Rect) {
-        let names: Vec<&str> = all.iter().map(|leaf| leaf.name()).collect();
+        let names: Vec<Tab> = all.iter().map(|leaf| leaf.tab()).collect();
         self.open = tabs(ui, area, &names, self.open.min(all.len() - 1), theme);
         let rest = Rect::from_min_max(pos2(area.left(), area.top() + TABS + NEAR), area.max);
         (all[self.open], rest)
@@ -105,7 +117,7 @@ fn spread(ui: &Ui, area: Rect, theme: &Theme) -> Vec<(Leaf, Rect)> {
 fn named(ui: &Ui, leaf: Leaf, place: Rect, theme: &Theme) -> (Leaf, Rect) {
     let at = place.left_top() + vec2(2.0, 0.0);
     ui.painter()
-        .text(at, Align2::LEFT_TOP, leaf.name(), small(), theme.quiet);
+        .text(at, Align2::LEFT_TOP, leaf.tab().0, small(), theme.quiet);
     let top = pos2(place.left(), place.top() + NAME);
     (leaf, Rect::from_min_max(top, place.max))
 }
