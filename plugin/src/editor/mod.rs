@@ -45,7 +45,7 @@ pub use frame::{Frame, MOST_MODES};
 pub use link::{Link, Touch};
 pub use ringing::Ringing;
 pub use saved::{LEAST_SIZE, Saved, USUAL_SIZE};
-pub use solid::{Solid, Vector};
+pub use solid::{Drawing, Solid, Vector};
 pub use theme::Cause;
 pub use ui::Ui;
 pub use view::{Paint, Portrait, Swinging};

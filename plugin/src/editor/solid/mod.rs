@@ -2,21 +2,23 @@
 
 mod bar;
 mod beam;
+mod drawn;
 mod edges;
 mod revolve;
 mod space;
 mod turned;
 
+pub use drawn::Drawing;
 pub use space::Vector;
-#[cfg(test)]
-pub(crate) use space::cross;
-pub(crate) use space::{add, between, dot, unit};
+pub(crate) use space::{add, between, cross, dot, unit};
 
 use super::figure::Kind;
 use crate::engine::Partial;
 use beam::Beam;
+use drawn::Given;
 use edges::edges;
-use modes::Material;
+use modes::{Material, ModeLabel};
+use std::collections::HashMap;
 use std::ops::Range;
 use turned::Turned;
 
@@ -53,6 +55,7 @@ struct Line {
 enum Motions {
     Turned(Turned),
     Beam(Beam),
+    Given(Given),
 }
 
 /// A surface without motion.
@@ -129,6 +132,7 @@ impl Solid {
         match &self.motions {
             Motions::Turned(turned) => turned.motion(mode),
             Motions::Beam(beam) => beam.motion(mode),
+            Motions::Given(given) => given.motion(mode),
         }
     }
 
@@ -151,14 +155,16 @@ impl Solid {
     }
 }
 
-/// φ along the line of each of the modes that are heard, in the order of [`Partial::all`].
+/// The modes of a body by their names.
+fn by_name(body: &modes::Body) -> HashMap<ModeLabel, &modes::Mode> {
+    body.modes.iter().map(|mode| (mode.label, mode)).collect()
+}
+
+/// The modes that are heard, in the order of [`Partial::all`].
 fn heard_modes(body: &modes::Body) -> Vec<&modes::Mode> {
-    let partials = Partial::all(body);
-    let find = |partial: &Partial| {
-        let same = |mode: &&modes::Mode| mode.label == partial.label && mode.hz == partial.hz;
-        body.modes.iter().find(same)
-    };
-    partials.iter().filter_map(find).collect()
+    let known = by_name(body);
+    let find = |partial: &Partial| known.get(&partial.label).copied();
+    Partial::all(body).iter().filter_map(find).collect()
 }
 
 #[cfg(test)]

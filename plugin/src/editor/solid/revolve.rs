@@ -10,6 +10,8 @@ const AROUND_TUBE: u32 = 32;
 const AROUND_BOWL: u32 = 96;
 /// Length over diameter from which a tube is drawn thicker than it is, lest it be a thread.
 const SLENDER: f64 = 15.0;
+/// Least radius that a tube is taken to have, in m.
+const THINNEST_M: f64 = 1e-4;
 /// Least share of a tube's radius that its bore may have in the picture.
 const BORE: f64 = 0.3;
 
@@ -40,13 +42,16 @@ impl Profile {
         let volume_m3 = body.mass_kg / material.density_kg_m3;
         let first = line.points_m[0];
         let thicker = match kind {
-            Kind::Tube => (body.length_m / (2.0 * first[0]) / SLENDER).max(1.0),
+            Kind::Tube => (body.length_m / (2.0 * first[0].max(THINNEST_M)) / SLENDER).max(1.0),
             Kind::Bar | Kind::Bowl => 1.0,
         };
         let mut outer: Vec<Rim> = (line.points_m.iter().zip(&line.normals))
             .enumerate()
             .map(|(sample, (point, normal))| Rim {
-                r_m: thicker * point[0].max(0.0),
+                r_m: match kind {
+                    Kind::Tube => thicker * point[0].max(THINNEST_M),
+                    Kind::Bar | Kind::Bowl => point[0].max(0.0),
+                },
                 z_m: point[2],
                 normal: [normal[0], normal[2]],
                 sample,
@@ -58,7 +63,9 @@ impl Profile {
             outer.reverse();
         }
         let wall_m = match kind {
-            Kind::Tube => bore_wall_m(first[0], volume_m3 / body.length_m) * thicker,
+            Kind::Tube => {
+                bore_wall_m(first[0].max(THINNEST_M), volume_m3 / body.length_m) * thicker
+            }
             Kind::Bar | Kind::Bowl => shell_wall_m(&outer, volume_m3),
         };
         let inner: Vec<Rim> = outer.iter().rev().map(|rim| inside(rim, wall_m)).collect();

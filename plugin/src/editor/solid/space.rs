@@ -9,7 +9,6 @@ pub(crate) fn dot(a: Vector, b: Vector) -> f32 {
 }
 
 /// a × b.
-#[cfg(test)]
 pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],

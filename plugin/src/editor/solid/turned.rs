@@ -1,8 +1,9 @@
 //! How modes move a body of revolution: as on the strike line, with the waves of their order around.
 
 use super::revolve::Profile;
-use super::{Vector, heard_modes};
+use super::{Vector, by_name, heard_modes};
 use modes::{Member, ModeLabel};
+use std::collections::HashMap;
 
 /// The modes of a body of revolution.
 #[derive(Clone, Debug)]
@@ -25,7 +26,7 @@ struct Waves {
 
 impl Turned {
     pub(super) fn of(body: &modes::Body, profile: &Profile) -> Self {
-        let modes = heard_modes(body);
+        let (modes, known) = (heard_modes(body), by_name(body));
         let mut points = Vec::new();
         for rim in profile.runs.iter().flatten() {
             points.extend((0..=profile.around).map(|number| {
@@ -34,7 +35,7 @@ impl Turned {
             }));
         }
         Self {
-            modes: modes.iter().map(|mode| waves(body, mode)).collect(),
+            modes: modes.iter().map(|mode| waves(&known, mode)).collect(),
             points,
             width: profile.around as usize + 1,
         }
@@ -68,7 +69,7 @@ impl Turned {
 /// the other with U sin m(θ − θ₀) and −V cos m(θ − θ₀): what one does at θ = 0 is what the other does a
 /// quarter of a wave on, but for a sign that the bank leaves open. A wall that bends without being
 /// stretched has mV = −U, which tells it.
-fn waves(body: &modes::Body, mode: &modes::Mode) -> Waves {
+fn waves(known: &HashMap<ModeLabel, &modes::Mode>, mode: &modes::Mode) -> Waves {
     let order = mode.label.order;
     let own = mode.shape.clone();
     let still = vec![[0.0; 3]; own.len()];
@@ -79,8 +80,7 @@ fn waves(body: &modes::Body, mode: &modes::Mode) -> Waves {
             sin: still,
         };
     }
-    let partner = partner(body, &mode.label);
-    let Some(other) = partner else {
+    let Some(other) = partner(&mode.label).and_then(|label| known.get(&label)) else {
         let round = |[out, _, _]: &Vector| [0.0, -out / f32::from(order), 0.0];
         let sin = own.iter().map(round).collect();
         return Waves {
@@ -102,13 +102,12 @@ fn waves(body: &modes::Body, mode: &modes::Mode) -> Waves {
     }
 }
 
-/// The other of a pair.
-fn partner<'a>(body: &'a modes::Body, label: &ModeLabel) -> Option<&'a modes::Mode> {
+/// The name of the other of a pair.
+fn partner(label: &ModeLabel) -> Option<ModeLabel> {
     let member = match label.member {
         Member::A => Member::B,
         Member::B => Member::A,
         Member::Single => return None,
     };
-    let wanted = ModeLabel { member, ..*label };
-    body.modes.iter().find(|mode| mode.label == wanted)
+    Some(ModeLabel { member, ..*label })
 }

@@ -129,7 +129,7 @@ pub(super) fn controls(ui: &Ui, area: Rect, motion: &mut f32, thicker: f32, sigh
         .alone
         .and_then(|mode| sight.shown().partials.get(mode))
     {
-        notes.push(format!("{} alone; lines rest", partial.label));
+        notes.push(format!("{} alone, at rest along the lines", partial.label));
     }
     if thicker > 1.05 {
         notes.push(format!("drawn {thicker:.1}× as thick"));
