@@ -9,9 +9,9 @@ use modes::{Bank, Stencil};
 use std::f64::consts::TAU;
 
 /// Steps to the contact time of a rigid body.
-const STEPS: f64 = 128.0;
+const STEPS: u16 = 128;
 /// Contact times that are followed: a mallet may touch more than once.
-const FOLLOWED: usize = 6;
+const FOLLOWED: u16 = 6;
 /// Greatest ωT of a mode that takes part; faster ones have come to rest within a step.
 const FASTEST: f64 = 1.0;
 
@@ -40,18 +40,18 @@ impl Pulse {
         let body_kg = body.mass_kg * tweak.mass();
         let mallet = settings.mallet;
         let contact_s = mallet.contact_s(body_pa, body_kg, touch.speed_m_s);
-        let step_s = contact_s / STEPS;
+        let step_s = contact_s / f64::from(STEPS);
         let mut modes = swings(body, position, [tweak.pitch(), tweak.mass()], step_s);
         let mut contact = Contact::new(0);
         contact.begin(&Blow {
             mallet,
-            hertz: mallet.hertz(body_pa).followed(1.0 / STEPS),
+            hertz: mallet.hertz(body_pa).followed(f64::from(STEPS).recip()),
             body_kg,
             mobility: modes.iter().map(|mode| mode.reach * mode.reach).sum(),
             speed_m_s: touch.speed_m_s,
             seed: 0,
         });
-        let steps = FOLLOWED * STEPS as usize;
+        let steps = usize::from(FOLLOWED * STEPS);
         let mut force_n = Vec::with_capacity(steps);
         let mut last = 0;
         for step in 0..steps {

@@ -85,6 +85,22 @@ mod tests {
         assert_eq!(field("7").0, "\"\"");
     }
 
+    #[test]
+    fn trims_that_nobody_can_read_are_none() {
+        let label = r#"{"family":"torsion","order":0,"index":2,"member":"single"}"#;
+        let good = format!("[[{label},-6.0,2.0]]");
+        for (saved, healed) in [(Some(&*good), &*good), (Some("[[7]]"), "[]"), (None, "[]")] {
+            let fields = saved.map(|text| ("trims".to_owned(), text.to_owned()));
+            let mut state = PluginState {
+                version: String::new(),
+                params: BTreeMap::new(),
+                fields: fields.into_iter().collect(),
+            };
+            heal(&mut state);
+            assert_eq!(state.fields["trims"], healed);
+        }
+    }
+
     fn number(params: &BTreeMap<String, ParamValue>, id: &str) -> f32 {
         match params.get(id) {
             Some(ParamValue::F32(value)) => *value,

@@ -3,6 +3,7 @@
 mod blow;
 mod damping;
 mod fourier;
+mod losses;
 mod spectrum;
 
 pub(super) use blow::Blow;
