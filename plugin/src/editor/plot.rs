@@ -95,7 +95,7 @@ pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>, trimming: &mut Tr
         let on = pointed.is_some_and(|on| on.number == line.number);
         draw(painter, scene, line, &halves, &t60, on);
     }
-    describe(ui, header, scene, pointed.or_else(|| loudest(&lines)));
+    describe(ui, header, scene, pointed.or_else(|| first_told(&lines)));
     response.on_hover_cursor(CursorIcon::ResizeVertical);
     let hint = "Click a partial to hear it alone; drag it up or down to make it louder or softer, its lower half \
                 longer or shorter; right click: as built";
@@ -115,12 +115,11 @@ fn describe(ui: &Ui, header: Rect, scene: &Scene<'_>, told: Option<&Line>) {
     }
 }
 
-/// The name and decay of the partial that is heard alone, or else is loudest now, or would be.
-pub(super) fn leading(scene: &Scene<'_>, alone: Option<usize>) -> Option<(String, Ringing)> {
+/// The name and decay of the partial that is to be told of first.
+pub(super) fn leading(scene: &Scene<'_>) -> Option<(String, Ringing)> {
     let everywhere = Axis::log([1.0, 1e6], Rangef::new(0.0, 1.0));
     let lines = lines(scene, &everywhere);
-    let only = lines.iter().find(|line| Some(line.number) == alone);
-    let line = only.or_else(|| loudest(&lines))?;
+    let line = first_told(&lines)?;
     Some((line.label.to_string(), line.ringing))
 }
 
@@ -146,6 +145,7 @@ fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
         .enumerate()
         .map(|(number, (partial, level))| {
             let trim = trims.get(&partial.label);
+            let mute = alone.is_some_and(|alone| alone != partial.label);
             let ringing = Ringing::of(partial, &scene.settings.losses, scene.own, held)
                 .trimmed(trim.ringing.into());
             let live = scene.shown.live(scene.frame, number);
@@ -153,10 +153,10 @@ fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
                 number,
                 label: partial.label,
                 trim,
-                mute: alone.is_some_and(|alone| alone != partial.label),
+                mute,
                 x: hz.place(ringing.hz),
                 set_db: below_db(level / most) - trim.level_db,
-                live_db: below_db(live.into()),
+                live_db: below_db(if mute { 0.0 } else { live.into() }),
                 ringing,
             }
         })
@@ -173,11 +173,12 @@ fn nearest(lines: &[Line], x: f32) -> Option<&Line> {
     near.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
 
-/// The partial that is loudest now, or would be.
-fn loudest(lines: &[Line]) -> Option<&Line> {
+/// The partial that is heard alone, or else is loudest now, or would be.
+fn first_told(lines: &[Line]) -> Option<&Line> {
     let rings = lines.iter().any(|line| line.live_db < FLOOR_DB);
     let level = |line: &Line| if rings { line.live_db } else { line.set_db };
-    lines.iter().min_by(|a, b| level(a).total_cmp(&level(b)))
+    let heard = lines.iter().filter(|line| !line.mute);
+    heard.min_by(|a, b| level(a).total_cmp(&level(b)))
 }
 
 fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60: &Axis, on: bool) {

@@ -217,7 +217,7 @@ impl Ui {
                             position: struck.map_or(settings.strike_position, |s| s.position)
                                 as f32,
                             contact_s,
-                            partial: leading(&scene, alone),
+                            partial: leading(&scene),
                         },
                         alone: pointed.number.or(alone),
                         link: &self.link,

@@ -95,6 +95,7 @@ impl Bench {
         let instrument = index(instrument);
         let mut engine = Engine::with_vectors(factory::bank(instrument), 48e3, Vectors::Plain);
         engine.set(&self.controls.settings());
+        engine.set_trims(&self.controls.trims().get());
         let frames = (48e3 * each_s) as usize;
         let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
         for (key, velocity) in blows {
