@@ -1,9 +1,13 @@
 //! Partials taken by hand: one alone, louder or softer, longer or shorter.
 
 use super::plot::Line;
+use super::theme::{SIDE, Theme, small};
 use crate::engine::{Trim, Trims};
 use crate::params::TrimTable;
-use egui::{EventFilter, Key, Modifiers, PointerButton, Response, Ui};
+use egui::{
+    CursorIcon, EventFilter, Id, Key, Modifiers, PointerButton, Rect, Response, Role, Sense, Ui,
+    WidgetInfo, pos2,
+};
 use modes::ModeLabel;
 
 /// What Shift leaves of any movement.
@@ -174,4 +178,35 @@ pub(super) fn words(trim: &Trim) -> String {
         words.push(format!("{:.2}× as long", trim.ringing));
     }
     words.join(", ")
+}
+
+/// How many modes are trimmed, at the right end of `line`; a click puts all back. The width that it takes.
+pub(super) fn all_back(ui: &Ui, line: Rect, table: &TrimTable, theme: &Theme) -> f32 {
+    let count = table.get().all().count();
+    if count == 0 {
+        return 0.0;
+    }
+    let text = format!("{count} trimmed: reset");
+    let galley = |colour| ui.painter().layout_no_wrap(text.clone(), small(), colour);
+    let size = galley(theme.quiet).size();
+    let rect = Rect::from_min_size(
+        pos2(line.right() - size.x - 2.0, line.top() + 8.0 - 0.5 * size.y),
+        size,
+    );
+    let response = ui.interact(rect.expand(3.0), Id::unique("untrim"), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Reset all trims"));
+    if response.clicked() {
+        table.change(|trims| {
+            let solo = trims.solo();
+            *trims = Trims::NONE;
+            trims.set_solo(solo);
+        });
+    }
+    let lit = response.hovered() || response.has_focus();
+    let colour = if lit { theme.text } else { theme.glow };
+    ui.painter().galley(rect.min, galley(colour), colour);
+    response
+        .on_hover_cursor(CursorIcon::PointingHand)
+        .on_hover_text("Every partial as loud and as long as it was built");
+    size.x + SIDE
 }

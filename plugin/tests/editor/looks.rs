@@ -4,6 +4,7 @@ use crate::bench::Bench;
 use crate::picture::check;
 use crate::raster::{Pixels, Raster};
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, ViewportId, vec2};
+use idiophone::engine::Trim;
 use nice_plug::prelude::ParamSetter;
 
 /// Draws a window of `size` points after the pointer has come to a place and, if so said, clicked there.
@@ -170,6 +171,20 @@ fn one_mode_alone_with_its_nodal_lines() {
     bench.ring("singing-bowls", &[(60, 0.9)], 0.2);
     check("singing-bowls-mode", &draw(&bench, USUAL, 1.0, None));
     check("singing-bowls-mode-2x", &draw(&bench, USUAL, 2.0, None));
+}
+
+#[test]
+fn trimmed_partials() {
+    let bench = Bench::new("vibraphone");
+    let modes = &idiophone::factory::bank(1).bodies[24].modes;
+    bench.controls.trims().change(|trims| {
+        for (mode, (level_db, ringing)) in modes.iter().zip([(-9.0, 2.0), (6.0, 0.5)]) {
+            assert!(trims.set(&mode.label, Trim { level_db, ringing }));
+        }
+    });
+    bench.ring("vibraphone", &[(60, 0.9)], 0.1);
+    check("vibraphone-trimmed", &draw(&bench, USUAL, 1.0, None));
+    check("vibraphone-trimmed-2x", &draw(&bench, USUAL, 2.0, None));
 }
 
 #[test]

@@ -110,4 +110,9 @@ fn a_partial_is_taken_by_keys() {
     assert_eq!(bench.controls.trims().get().solo(), Some(label));
     press(Key::Delete, Modifiers::NONE);
     assert_eq!(bench.controls.trims().get().all().count(), 0);
+    press(Key::ArrowUp, Modifiers::NONE);
+    assert_eq!(bench.controls.trims().get().all().count(), 1);
+    harness.get_by_label("Reset all trims").click();
+    harness.run_steps(2);
+    assert_eq!(bench.controls.trims().get().all().count(), 0);
 }
