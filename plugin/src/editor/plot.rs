@@ -17,6 +17,8 @@ use modes::{Damping, ModeLabel};
 
 /// Greatest distance in points of the pointer from the partial that it is on.
 const REACH: f32 = 10.0;
+/// Time in s beyond which it does not matter how long a partial rings.
+const LONGEST_S: f64 = 100.0;
 /// What the plot needs to know.
 pub(super) struct Scene<'a> {
     pub(super) shown: &'a Shown,
@@ -175,12 +177,15 @@ fn nearest(lines: &[Line], x: f32) -> Option<&Line> {
     near.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
 
-/// The partial that is heard alone, or else is loudest now, or would be.
+/// The partial that is heard alone, or else the one of which most is heard: loud after a blow, and for
+/// long.
 fn first_told(lines: &[Line]) -> Option<&Line> {
-    let rings = lines.iter().any(|line| line.live_db < FLOOR_DB);
-    let level = |line: &Line| if rings { line.live_db } else { line.set_db };
     let heard = lines.iter().filter(|line| !line.mute);
-    heard.min_by(|a, b| level(a).total_cmp(&level(b)))
+    let cost = |line: &Line| {
+        let rings_s = line.ringing.t60_s().min(LONGEST_S);
+        line.set_db - 20.0 * rings_s.log10() as f32
+    };
+    heard.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
 
 fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60: &Axis, on: bool) {
