@@ -94,7 +94,8 @@ impl Plugin for Idiophone {
     ) -> bool {
         let rate_hz = f64::from(buffer.sample_rate);
         self.workshop = Some(Workshop::open(rate_hz));
-        let stage = Stage::new(self.controls.body.index(), rate_hz);
+        let mut stage = Stage::new(self.controls.body.index(), rate_hz);
+        stage.trim(&self.controls.trims().get());
         let stage = match buffer.process_mode {
             ProcessMode::Offline => stage.patient(),
             ProcessMode::Realtime | ProcessMode::Buffered => stage,

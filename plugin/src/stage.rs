@@ -1,6 +1,6 @@
 //! The instrument that is struck, and those before it that still ring.
 
-use crate::engine::{Engine, GRID, Hit, Hold, Limiter, Settings};
+use crate::engine::{Engine, GRID, Hit, Hold, Limiter, Settings, Trims};
 use crate::factory;
 use crate::workshop::Bench;
 
@@ -31,6 +31,7 @@ pub(crate) struct Stage {
     limits: bool,
     /// What hands do to each body, of whatever instrument.
     holds: [Hold; 128],
+    trims: Trims,
 }
 
 impl Stage {
@@ -46,6 +47,7 @@ impl Stage {
             limiter: Limiter::new(1.0 / rate_hz),
             limits: true,
             holds: [Hold::FREE; 128],
+            trims: Trims::NONE,
         }
     }
 
@@ -106,6 +108,7 @@ impl Stage {
     fn enter(&mut self, slot: usize, index: usize, engine: Box<Engine>) {
         let mut act = Act::new(engine);
         act.engine.set(&self.settings);
+        act.engine.set_trims(&self.trims);
         for (body, hold) in (0..).zip(&self.holds) {
             act.hold(body, hold);
         }
@@ -152,6 +155,12 @@ impl Stage {
         };
         self.settings = settings;
         self.each(|engine| engine.set(&settings));
+    }
+
+    /// What is made of single modes of all.
+    pub(crate) fn trim(&mut self, trims: &Trims) {
+        self.trims = *trims;
+        self.each(|engine| engine.set_trims(trims));
     }
 
     /// The keys for which the present instrument has bodies, as bits.

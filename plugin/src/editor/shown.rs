@@ -64,7 +64,10 @@ impl Shown {
         let bank = factory::bank(self.instrument);
         let body = bank.bodies.iter().find(|body| body.key == self.key);
         body.map_or_else(String::new, |body| {
-            let long_m = body.length_m;
+            let long_m = match Kind::of(body) {
+                Kind::Bowl => 2.0 * body.line.points_m.first().map_or(0.0, |rim| rim[0]),
+                Kind::Bar | Kind::Tube => body.length_m,
+            };
             let size = if long_m < 1.0 {
                 format!("{:.1} cm", 1e2 * long_m)
             } else {

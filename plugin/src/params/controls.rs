@@ -10,6 +10,7 @@ use super::mallet::Mallets;
 use super::motor::Motor;
 use super::output::Output;
 use super::strike::Strike;
+use super::trims::{TrimField, TrimTable};
 use crate::engine::Settings;
 use crate::hands::{self, SLOTS};
 use crate::tuning::{KeyboardText, ScaleText, TuningTexts};
@@ -55,16 +56,23 @@ pub struct Controls {
     /// The keyboard map that travels with the song.
     #[persist = "kbm"]
     pub keyboard: KeyboardText,
+    /// What is made of single modes, which travels with the song too.
+    #[persist = "trims"]
+    pub trimmed: TrimField,
+    trims: Arc<TrimTable>,
     tuning: Arc<TuningTexts>,
 }
 
 impl Default for Controls {
     fn default() -> Self {
         let tuning = Arc::new(TuningTexts::default());
+        let trims = Arc::new(TrimTable::default());
         Self {
             scale: ScaleText(Arc::clone(&tuning)),
             keyboard: KeyboardText(Arc::clone(&tuning)),
             tuning,
+            trimmed: TrimField(Arc::clone(&trims)),
+            trims,
             body: Body::default(),
             strike: Strike::default(),
             mallet: Mallets::default(),
@@ -99,6 +107,12 @@ impl Controls {
     #[must_use]
     pub fn tuning(&self) -> &TuningTexts {
         &self.tuning
+    }
+
+    /// What is made of single modes.
+    #[must_use]
+    pub fn trims(&self) -> &TrimTable {
+        &self.trims
     }
 
     /// How hands are understood.

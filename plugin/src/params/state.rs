@@ -2,6 +2,7 @@
 
 use super::spec::{Spec, specs};
 use super::text::Text;
+use super::trims::Words;
 use nice_plug::params::persist::deserialize_field;
 use nice_plug::plugin::ParamValue;
 use nice_plug::prelude::PluginState;
@@ -13,7 +14,7 @@ const TEXTS: [&str; 2] = ["scale", "kbm"];
 const PRESET: &str = "preset";
 
 /// Brings every value into its range and gives every parameter that is missing its default; what is
-/// not known stays. A tuning that is missing is none, and so is a preset.
+/// not known stays. A tuning that is missing is none, and so are a preset and trims that nobody can read.
 ///
 /// Hosts hand over what a file says: without this an infinite gain goes through, and a song from
 /// before a parameter existed keeps whatever value that parameter had.
@@ -33,6 +34,10 @@ pub fn heal(state: &mut PluginState) {
     if deserialize_field::<(String, bool, bool)>(field).is_err() {
         // None, as JSON.
         "[\"\",false,false]".clone_into(field);
+    }
+    let field = state.fields.entry("trims".to_owned()).or_default();
+    if deserialize_field::<Words>(field).is_err() {
+        "[]".clone_into(field);
     }
 }
 
@@ -104,6 +109,22 @@ mod tests {
         assert_eq!(field(Some("[3]")), (String::new(), false, false));
         let mine = ("user/A.toml".to_owned(), true, false);
         assert_eq!(field(Some("[\"user/A.toml\",true,false]")), mine);
+    }
+
+    #[test]
+    fn trims_that_nobody_can_read_are_none() {
+        let label = r#"{"family":"torsion","order":0,"index":2,"member":"single"}"#;
+        let good = format!("[[{label},-6.0,2.0]]");
+        for (saved, healed) in [(Some(&*good), &*good), (Some("[[7]]"), "[]"), (None, "[]")] {
+            let fields = saved.map(|text| ("trims".to_owned(), text.to_owned()));
+            let mut state = PluginState {
+                version: String::new(),
+                params: BTreeMap::new(),
+                fields: fields.into_iter().collect(),
+            };
+            heal(&mut state);
+            assert_eq!(state.fields["trims"], healed);
+        }
     }
 
     fn number(params: &BTreeMap<String, ParamValue>, id: &str) -> f32 {

@@ -243,3 +243,31 @@ fn a_tail_is_told_while_something_rings() {
     let rest = &left[later as usize..];
     assert!(rest.iter().all(|sample| sample.abs() < 2e-5));
 }
+
+#[test]
+fn trims_reach_what_rings_and_instruments_that_come_later() {
+    let mut player = player();
+    play(&mut player, 4800, vec![on(0, 1, 60, 0.8)]);
+    let bank = crate::factory::bank(0);
+    let body = bank.bodies.iter().find(|body| body.key == 60).unwrap();
+    let first = crate::engine::Partial::all(body)[0].label;
+    player
+        .controls
+        .trims()
+        .change(|trims| trims.set_solo(Some(first)));
+    play(&mut player, 64, vec![]);
+    let sounding = |player: &mut Player| {
+        let mut levels = [0.0f32; 64];
+        let count = player.stage().present().1.levels(60, &mut levels);
+        levels[..count].iter().filter(|level| **level > 0.0).count()
+    };
+    assert_eq!(sounding(&mut player), 1);
+    let bench = crate::workshop::Bench::new(48_000.0);
+    for wanted in [1, 0] {
+        player.stage().turn(wanted, &bench);
+        bench.work();
+        player.stage().turn(wanted, &bench);
+    }
+    play(&mut player, 4800, vec![on(0, 2, 60, 0.8)]);
+    assert_eq!(sounding(&mut player), 1, "a new engine knows the trims");
+}

@@ -108,11 +108,13 @@ impl Bench {
         let instrument = index(instrument);
         let mut engine = Engine::with_vectors(factory::bank(instrument), 48e3, Vectors::Plain);
         engine.set(&self.controls.settings());
+        engine.set_trims(&self.controls.trims().get());
         let frames = (48e3 * each_s) as usize;
         let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
         for (key, velocity) in blows {
             assert!(engine.strike(*key, *velocity), "there is a body for {key}");
             engine.process(&mut left, &mut right);
+            self.link.hear(&left, &right);
         }
         let peak = |samples: &[f32]| samples.iter().fold(0.0f32, |most, x| most.max(x.abs()));
         let peaks = [peak(&left), peak(&right)];

@@ -20,10 +20,10 @@ fn button(harness: &mut Harness<'_>, at: Pos2, pressed: bool) {
     harness.step();
 }
 
-/// A place on a bar or tube, 0…1 from below.
+/// A place on a tube, 0…1 from above.
 fn place(harness: &Harness<'_>, name: &str, position: f32) -> Pos2 {
     let rect = harness.get_by_label(name).rect();
-    egui::pos2(rect.center().x, rect.bottom() - position * rect.height())
+    egui::pos2(rect.center().x, rect.top() + position * rect.height())
 }
 
 fn strikes(touches: &[Touch]) -> Vec<(u8, f32, f32)> {

@@ -6,11 +6,13 @@
 
 mod bench;
 mod bodies;
+mod body;
 mod browsing;
 mod host;
 mod knobs;
 mod looks;
 mod menus;
+mod partials;
 mod picture;
 mod presets;
 mod raster;

@@ -104,8 +104,8 @@ impl Browser {
     }
 
     /// Plays the preset that was chosen, if that is wanted and its instrument `ready`.
-    pub(in super::super) fn play(&mut self, ui: &Ui, ready: bool, position: f32, link: &Link) {
-        self.hearing.play(ui, ready, position, link);
+    pub(in super::super) fn play(&mut self, ui: &Ui, ready: bool, place: [f32; 2], link: &Link) {
+        self.hearing.play(ui, ready, place, link);
     }
 
     /// Draws it over `area`, if it is open.

@@ -30,7 +30,7 @@ impl Hearing {
     }
 
     /// Strikes and lets go when it is time; `ready` says that the instrument is the chosen one.
-    pub(super) fn play(&mut self, ui: &Ui, ready: bool, position: f32, link: &Link) {
+    pub(super) fn play(&mut self, ui: &Ui, ready: bool, [position, across]: [f32; 2], link: &Link) {
         let now_s = ui.input(|input| input.time);
         if self
             .struck_s
@@ -48,6 +48,7 @@ impl Hearing {
                     key: KEY,
                     velocity: VELOCITY,
                     position,
+                    across,
                 });
                 self.struck_s = Some(now_s);
             }

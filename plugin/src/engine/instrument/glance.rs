@@ -88,6 +88,20 @@ impl Engine {
         written
     }
 
+    /// Writes how far each mode of a key's body swings now, in m·kg^(1/2), in the order of
+    /// [`Partial::all`](super::super::Partial::all); how many were written.
+    pub fn swings(&self, key: u8, out: &mut [f32]) -> usize {
+        let Some(body) = self.body(key) else {
+            return 0;
+        };
+        let mut written = 0;
+        for (out, sound) in out.iter_mut().zip(body.sounds(&self.packs)) {
+            *out = sound.swing as f32;
+            written += 1;
+        }
+        written
+    }
+
     /// What holds a key's body, as far as its modes have been told.
     #[must_use]
     pub fn held(&self, key: u8) -> Held {
