@@ -244,7 +244,7 @@ mod tests {
                     let most = mode
                         .shape
                         .iter()
-                        .flat_map(|u| u.into_iter())
+                        .flat_map(IntoIterator::into_iter)
                         .fold(0.0f32, |m, x| m.max(x.abs()));
                     // What twists goes with the way from the axis.
                     let across = match mode.label.family {
