@@ -17,8 +17,8 @@ mod equal_temperament;
 pub mod factory;
 #[cfg(feature = "solve")]
 pub mod fem;
-#[cfg(any(feature = "solve", test))]
 mod fnv;
+mod hash;
 mod label;
 mod material;
 mod materials;
@@ -45,6 +45,7 @@ pub use bank::{Bank, BankError, BankFileError, Body, Ears, Mode, Provenance};
 pub use code::CODE;
 pub use damping::{Damping, Motion, Rayleigh, t60_s};
 pub use equal_temperament::equal_temperament_hz;
+pub use hash::fnv1a;
 pub use label::{Family, Member, ModeLabel};
 pub use material::{Material, MaterialError};
 pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};

@@ -1,6 +1,6 @@
 //! The line at the top: which instrument, how bright a window, how loud.
 
-use super::choice::chooser;
+use super::instruments::Instruments;
 use super::meter::Meter;
 use super::param::Param;
 use super::theme::{APART, SIDE, Theme, body, title};
@@ -12,6 +12,7 @@ pub(super) fn header(
     ui: &mut Ui,
     area: Rect,
     instrument: Option<&Param>,
+    instruments: &Instruments,
     meter: &mut Meter,
     theme: &Theme,
     setter: &ParamSetter<'_>,
@@ -33,7 +34,7 @@ pub(super) fn header(
         let button = |x: f32| Rect::from_center_size(pos2(x, middle), vec2(26.0, 28.0));
         step(ui, button(left + 13.0), -1.0, param, theme, setter);
         let list = Rect::from_min_size(pos2(left + 28.0, middle - 15.0), vec2(210.0, 30.0));
-        chooser(ui, list, param, theme, title(), setter);
+        instruments.show(ui, list, param, theme, setter);
         step(ui, button(list.right() + 15.0), 1.0, param, theme, setter);
     }
     let meter_width = if wide { 240.0 } else { 170.0 };

@@ -4,8 +4,10 @@ use super::figure::key_name;
 use super::frame::Frame;
 use super::hands::Hands;
 use super::header::header;
+use super::instruments::Instruments;
 use super::link::Link;
 use super::meter::Meter;
+use super::notice::notice;
 use super::pages::Pages;
 use super::param::Param;
 use super::plot::{Scene, plot};
@@ -15,9 +17,10 @@ use super::shown::Shown;
 use super::strip::strip;
 use super::theme::{APART, CORNER, NEAR, Theme, small};
 use crate::engine::{Settings, contact_s};
-use crate::factory;
 use crate::params::Controls;
+use crate::shelf::Shelved;
 use egui::{Align2, CornerRadius, Rect, pos2, vec2};
+use modes::Bank;
 use nice_plug::prelude::ParamSetter;
 use std::sync::Arc;
 
@@ -35,6 +38,7 @@ pub struct Ui {
     shown: Shown,
     meter: Meter,
     pages: Pages,
+    instruments: Instruments,
     /// The theme that egui has been told of.
     dressed: Option<bool>,
 }
@@ -45,6 +49,7 @@ impl Ui {
     pub fn new(controls: Arc<Controls>, saved: Arc<Saved>, link: Arc<Link>) -> Self {
         Self {
             params: Param::all(&controls),
+            instruments: Instruments::new(&controls),
             controls,
             saved,
             link,
@@ -52,7 +57,7 @@ impl Ui {
             nothing: Frame::default(),
             hands: Hands::default(),
             row: Row::default(),
-            shown: Shown::new(0, None),
+            shown: Shown::new(0, Shelved::factory(0), None),
             meter: Meter::default(),
             pages: Pages::default(),
             dressed: None,
@@ -64,6 +69,11 @@ impl Ui {
             .iter()
             .find(|param| param.spec.id == id)
             .cloned()
+    }
+
+    /// Banks of the user's own.
+    pub fn instruments(&mut self) -> &mut Instruments {
+        &mut self.instruments
     }
 
     /// A new window: egui knows nothing of the theme yet.
@@ -91,12 +101,14 @@ impl Ui {
         let instrument = self.param("instr");
         #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
         let index = instrument.as_ref().map_or(0.0, Param::plain).round() as usize;
+        let shelf = Arc::clone(self.controls.shelf());
+        let index = shelf.number(index);
         let frame = if self.frame.instrument == index {
             &*self.frame
         } else {
             &self.nothing
         };
-        self.shown.follow(index, frame);
+        self.shown.follow(index, |number| shelf.bank(number), frame);
         let all = ui.max_rect();
         ui.painter().rect_filled(all, 0.0, theme.ground);
         let places = Places::of(all);
@@ -108,6 +120,7 @@ impl Ui {
             ui,
             places.header,
             instrument.as_ref(),
+            &self.instruments,
             &mut self.meter,
             &theme,
             setter,
@@ -115,9 +128,12 @@ impl Ui {
             self.saved.set_dark(!dark);
             ui.ctx().request_repaint();
         }
+        if let Some(param) = &instrument {
+            self.instruments.arrive(param, setter);
+        }
         let hint = self.play(ui, places.row, index, &theme, setter);
         let settings = self.controls.settings();
-        let bank = factory::bank(index);
+        let bank = self.shown.bank.clone();
         plot(
             ui,
             places.partials.shrink(APART),
@@ -130,7 +146,7 @@ impl Ui {
                 },
                 settings: &settings,
                 own: &bank.damping,
-                contact_s: self.contact_s(index, &settings),
+                contact_s: self.contact_s(&bank, &settings),
                 theme: &theme,
             },
         );
@@ -147,6 +163,10 @@ impl Ui {
              − and + move them an octave.",
             key_name(self.row.lowest())
         );
+        if let Some(news) = self.instruments.news() {
+            notice(ui, places.hint, &news, &self.instruments, &theme);
+            return;
+        }
         ui.painter().with_clip_rect(places.hint).text(
             places.hint.left_center(),
             Align2::LEFT_CENTER,
@@ -157,8 +177,7 @@ impl Ui {
     }
 
     /// How long a click touches the body that is shown, in s.
-    fn contact_s(&self, instrument: usize, settings: &Settings) -> f64 {
-        let bank = factory::bank(instrument);
+    fn contact_s(&self, bank: &Bank, settings: &Settings) -> f64 {
         let body = bank.bodies.iter().find(|body| body.key == self.shown.key);
         let velocity = f64::from(self.row.velocity) / 127.0;
         body.map_or(1e-3, |body| contact_s(bank, body, settings, velocity))
@@ -178,8 +197,9 @@ impl Ui {
         strip(ui, side, &mut self.row.velocity, theme);
         let area = Rect::from_min_max(pos2(side.right() + APART, inner.top()), inner.max);
         let position = self.param("pos");
+        let bank = self.shown.bank.clone();
         let stage = Stage {
-            bank: factory::bank(instrument),
+            bank: &bank,
             frame: if self.frame.instrument == instrument {
                 &self.frame
             } else {

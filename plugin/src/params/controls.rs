@@ -12,9 +12,11 @@ use super::output::Output;
 use super::strike::Strike;
 use crate::engine::Settings;
 use crate::hands::{self, SLOTS};
+use crate::notices::{Notices, Subject};
+use crate::shelf::Shelf;
 use crate::tuning::{KeyboardText, ScaleText, TuningTexts};
 use nice_plug::prelude::Params;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// One control for each [`super::Spec`]; the engine smooths what they say.
 #[derive(Params)]
@@ -56,6 +58,10 @@ pub struct Controls {
     #[persist = "kbm"]
     pub keyboard: KeyboardText,
     tuning: Arc<TuningTexts>,
+    shelf: Arc<Shelf>,
+    notices: Arc<Notices>,
+    /// The instrument that the song wants and this version does not have, as the song says it.
+    wish: Mutex<Option<String>>,
 }
 
 impl Default for Controls {
@@ -65,6 +71,9 @@ impl Default for Controls {
             scale: ScaleText(Arc::clone(&tuning)),
             keyboard: KeyboardText(Arc::clone(&tuning)),
             tuning,
+            shelf: Arc::default(),
+            notices: Arc::default(),
+            wish: Mutex::default(),
             body: Body::default(),
             strike: Strike::default(),
             mallet: Mallets::default(),
@@ -99,6 +108,35 @@ impl Controls {
     #[must_use]
     pub fn tuning(&self) -> &TuningTexts {
         &self.tuning
+    }
+
+    /// The instruments within reach.
+    #[must_use]
+    pub fn shelf(&self) -> &Arc<Shelf> {
+        &self.shelf
+    }
+
+    /// What the user should know.
+    #[must_use]
+    pub fn notices(&self) -> &Arc<Notices> {
+        &self.notices
+    }
+
+    /// The instrument that the song wants and this version does not have, as the song says it.
+    pub(crate) fn wish(&self) -> Option<String> {
+        let wish = self.wish.lock();
+        wish.unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// See [`Self::wish`].
+    pub(crate) fn wish_for(&self, wish: Option<String>) {
+        *self.wish.lock().unwrap_or_else(PoisonError::into_inner) = wish;
+    }
+
+    /// The song is content with the instrument that stands in.
+    pub fn stay(&self) {
+        self.wish_for(None);
+        self.notices.clear(Subject::Instrument);
     }
 
     /// How hands are understood.

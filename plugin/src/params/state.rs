@@ -2,6 +2,7 @@
 
 use super::spec::{Spec, specs};
 use super::text::Text;
+use crate::song;
 use nice_plug::params::persist::deserialize_field;
 use nice_plug::plugin::ParamValue;
 use nice_plug::prelude::PluginState;
@@ -10,11 +11,15 @@ use nice_plug::prelude::PluginState;
 const TEXTS: [&str; 2] = ["scale", "kbm"];
 
 /// Brings every value into its range and gives every parameter that is missing its default; what is
-/// not known stays. A tuning that is missing is none.
+/// not known stays, and has its copy among the fields. A tuning that is missing is none. The instrument is
+/// found by its name, where the state has that.
 ///
 /// Hosts hand over what a file says: without this an infinite gain goes through, and a song from
 /// before a parameter existed keeps whatever value that parameter had.
 pub fn heal(state: &mut PluginState) {
+    song::note_version(&state.version, &mut state.fields);
+    song::recall_known(state, is_known);
+    song::resolve(state);
     for spec in specs() {
         let healed = healed(spec, state.params.get(spec.id));
         state.params.insert(spec.id.to_owned(), healed);
@@ -26,6 +31,11 @@ pub fn heal(state: &mut PluginState) {
             "\"\"".clone_into(field);
         }
     }
+    song::keep_unknown(state, is_known);
+}
+
+fn is_known(id: &str) -> bool {
+    specs().any(|spec| spec.id == id)
 }
 
 fn healed(spec: &Spec, saved: Option<&ParamValue>) -> ParamValue {
@@ -47,7 +57,6 @@ fn healed(spec: &Spec, saved: Option<&ParamValue>) -> ParamValue {
 mod tests {
     use super::*;
     use crate::hands::{Mpe, Source};
-    use crate::params::body::INSTRUMENT;
     use crate::params::mallet::HARDNESS;
     use std::collections::BTreeMap;
 
@@ -110,8 +119,7 @@ mod tests {
             ("tgt_8", ParamValue::I32(3)),
             ("limit", ParamValue::I32(0)),
         ]);
-        let last = INSTRUMENT.max as i32;
-        assert!(matches!(params.get("instr"), Some(ParamValue::I32(index)) if *index == last));
+        assert_eq!(chosen(&params, "instr"), 0, "the first stands in");
         assert_eq!(number(&params, "gain"), 0.0);
         assert_eq!(number(&params, "alpha1"), 0.0);
         assert_eq!(number(&params, "alpha2"), 100.0);

@@ -77,7 +77,12 @@ fn cc(timing: u32, cc: u8, value: f32) -> Event {
 fn player() -> Player {
     let tuner = Tuner::new(Tuning::default(), None);
     let controls = Arc::new(Controls::default());
-    Player::new(Stage::new(0, 48_000.0), tuner, controls, 48_000.0)
+    Player::new(
+        Stage::new(0, crate::factory::bank(0), 48_000.0),
+        tuner,
+        controls,
+        48_000.0,
+    )
 }
 
 fn play(player: &mut Player, frames: usize, events: Vec<Event>) -> (Vec<f32>, Vec<(u32, i32)>) {

@@ -9,5 +9,6 @@ mod bodies;
 mod host;
 mod knobs;
 mod looks;
+mod own;
 mod picture;
 mod raster;
