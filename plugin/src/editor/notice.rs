@@ -29,7 +29,7 @@ pub(super) fn notice(
     let layout = Layout::right_to_left(Align::Center);
     ui.scope_builder(UiBuilder::new().max_rect(inner).layout(layout), |ui| {
         ui.spacing_mut().item_spacing.x = NEAR;
-        let mut button = |ui: &mut Ui, text: &str, tooltip: &str| {
+        let button = |ui: &mut Ui, text: &str, tooltip: &str| {
             let text = RichText::new(text).font(small()).color(theme.glow);
             let button = Button::new(text)
                 .fill(Color32::TRANSPARENT)

@@ -19,7 +19,7 @@ pub(crate) use librarian::Librarian;
 pub use library::Library;
 pub use own::{MOST_BYTES, Own};
 #[cfg(test)]
-pub(crate) use own::{small, small_bank};
+pub(crate) use own::small;
 pub use shelved::Shelved;
 
 use crate::factory;

@@ -1,14 +1,18 @@
 //! How the window looks.
 
 use crate::bench::Bench;
+use crate::own::Folder;
 use crate::picture::check;
 use crate::raster::{Pixels, Raster};
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, ViewportId, vec2};
+use idiophone::notices::{Cure, Notice, Subject};
 use nice_plug::prelude::ParamSetter;
 
 /// Draws a window of `size` points after the pointer has come to a place and, if so said, clicked there.
 fn draw(bench: &Bench, size: [f32; 2], scale: f32, pointer: Option<(Pos2, bool)>) -> Pixels {
     let context = Context::default();
+    // Lists are there at once.
+    context.all_styles_mut(|style| style.animation_time = 0.0);
     let mut raster = Raster::default();
     let mut drawn = None;
     // Sizes settle, and what moves comes to rest.
@@ -118,4 +122,20 @@ fn causes_of_damping_have_their_colours() {
     let tab = Pos2::ZERO + vec2(577.0, 305.0);
     let drawn = draw(&bench, USUAL, 1.0, Some((tab, true)));
     check("vibraphone-damping", &drawn);
+}
+
+#[test]
+fn the_list_of_instruments_and_what_a_song_lacks() {
+    let (bench, folder) = (Bench::new("chimes"), Folder::new("looks"));
+    let _library = folder.give(&bench);
+    bench.controls.notices().post(Notice {
+        subject: Subject::Bank,
+        text: "The song's own instrument cannot be read: \"A bell of mine\" is kept as of layout 2, and the \
+               newest that this version reads is 1; update Idiophone. The song keeps it as it is."
+            .to_owned(),
+        cure: Some(Cure::Load("A bell of mine".to_owned())),
+    });
+    let list = Pos2::ZERO + vec2(240.0, 22.0);
+    let drawn = draw(&bench, USUAL, 1.0, Some((list, true)));
+    check("chimes-list", &drawn);
 }

@@ -12,11 +12,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 /// A folder of banks, which goes with this.
-struct Folder(PathBuf);
+pub(crate) struct Folder(PathBuf);
 
 impl Folder {
     /// With a bank called bell and a file that is none.
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let name = format!("idiophone-own-{name}-{}", std::process::id());
         let folder = std::env::temp_dir().join(name);
         fs::create_dir_all(&folder).unwrap();
@@ -26,7 +26,7 @@ impl Folder {
     }
 
     /// The library over it, given to an editor.
-    fn give(&self, bench: &Bench) -> Arc<Library> {
+    pub(crate) fn give(&self, bench: &Bench) -> Arc<Library> {
         let library = Library::new(Some(self.0.clone()));
         library.refresh();
         let mut ui = bench.ui.borrow_mut();
