@@ -15,7 +15,10 @@ use nice_plug::prelude::ParamSetter;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread;
+use std::time::{Duration, Instant};
 
+/// Nobody cancels a dialog within this time.
+const CANCEL: Duration = Duration::from_millis(300);
 /// Folder of banks in the user's.
 const FOLDER: &str = "Banks";
 
@@ -108,13 +111,21 @@ impl Instruments {
         // Made here, because some systems want that on the window's thread.
         let picked = dialog.pick_file();
         let library = Arc::clone(&self.library);
+        let notices = Arc::clone(self.notices());
+        let asked = Instant::now();
         // Without a thread to be had, there is still the folder.
         let _ = thread::Builder::new()
             .name("idiophone dialog".to_owned())
-            .spawn(move || {
-                if let Some(file) = pollster::block_on(picked) {
-                    library.ask(file.path().to_path_buf());
-                }
+            .spawn(move || match pollster::block_on(picked) {
+                Some(file) => library.ask(file.path().to_path_buf()),
+                None if asked.elapsed() < CANCEL => notices.post(Notice {
+                    subject: Subject::File,
+                    text: "This desktop has no file dialog for plug-ins (xdg-desktop-portal): put the bank \
+                           into the folder, and it is in the list."
+                        .to_owned(),
+                    cure: Some(Cure::Load(String::new())),
+                }),
+                None => {}
             });
     }
 

@@ -17,9 +17,9 @@ pub use error::OwnError;
 #[cfg(feature = "gui")]
 pub(crate) use librarian::Librarian;
 pub use library::Library;
-pub use own::{MOST_BYTES, Own};
 #[cfg(test)]
 pub(crate) use own::small;
+pub use own::{MOST_BYTES, Own};
 pub use shelved::Shelved;
 
 use crate::factory;
