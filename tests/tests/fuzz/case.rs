@@ -1,12 +1,14 @@
 //! Cases one after the other, for as long as they are to last.
 
 use idiophone_tests::Noise;
+use std::fmt::Debug;
+use std::str::FromStr;
 use std::time::{Duration, Instant};
 
 /// Readers that share the time.
 const READERS: f64 = 5.0;
 
-fn number(name: &str, usual: f64) -> f64 {
+fn number<T: FromStr<Err: Debug>>(name: &str, usual: T) -> T {
     let text = std::env::var(name).ok();
     text.map_or(usual, |text| text.parse().unwrap())
 }
@@ -25,8 +27,8 @@ impl Drop for Told {
 /// Hands a new chance to each case of a reader, and tells how many there were and how many of these were
 /// accepted.
 pub(crate) fn cases(reader: &'static str, mut case: impl FnMut(&mut Noise) -> bool) {
-    let time = Duration::from_secs_f64(60.0 * number("IDIOPHONE_FUZZ_MINUTES", 1.0) / READERS);
-    let first = number("IDIOPHONE_FUZZ_SEED", 0.0) as u64;
+    let time = Duration::from_secs_f64(60.0 * number("IDIOPHONE_FUZZ_MINUTES", 1.0_f64) / READERS);
+    let first = number("IDIOPHONE_FUZZ_SEED", 0_u64);
     let start = Instant::now();
     let (mut count, mut accepted) = (0_u64, 0_u64);
     while start.elapsed() < time {
