@@ -19,6 +19,9 @@ use std::time::{Duration, Instant};
 
 /// Nobody cancels a dialog within this time.
 const CANCEL: Duration = Duration::from_millis(300);
+/// What the list's last lines do.
+const IMPORT: &str = "Takes a bank from anywhere into the song, and a copy into the folder";
+const SHOW: &str = "Opens the folder; banks that are put there come into this list";
 /// Folder of banks in the user's.
 const FOLDER: &str = "Banks";
 
@@ -209,21 +212,27 @@ impl List<'_> {
         let here = of.controls.body.index();
         for index in 0..OWN {
             let name = self.param.text_at(self.param.place(index as f32));
-            if self.line(ui, here == index, name) {
+            if self.line(ui, here == index, name, "") {
                 wanted = Some(Wanted::Number(index));
             }
         }
         self.heading(ui, "Your own");
         let own = of.controls.shelf().own();
         if let Some(own) = &own
-            && self.line(ui, here == OWN, format!("{} (in this song)", own.title()))
+            && self.line(
+                ui,
+                here == OWN,
+                format!("{} (in this song)", own.title()),
+                "",
+            )
         {
             wanted = Some(Wanted::Number(OWN));
         }
         for entry in &*of.library.entries() {
             match &entry.card {
                 Ok(_) => {
-                    if self.line(ui, false, entry.title()) {
+                    let file = entry.path.display().to_string();
+                    if self.line(ui, false, entry.title(), &file) {
                         wanted = Some(Wanted::File(entry.path.clone()));
                     }
                 }
@@ -235,10 +244,11 @@ impl List<'_> {
             }
         }
         ui.separator();
-        if self.line(ui, false, "Import a bank…".to_owned()) {
+        if self.line(ui, false, "Import a bank…".to_owned(), IMPORT) {
             wanted = Some(Wanted::Import);
         }
-        if of.library.folder().is_some() && self.line(ui, false, "Show the folder".to_owned()) {
+        if of.library.folder().is_some() && self.line(ui, false, "Show the folder".to_owned(), SHOW)
+        {
             wanted = Some(Wanted::Folder);
         }
         wanted
@@ -249,10 +259,14 @@ impl List<'_> {
         ui.label(RichText::new(text).font(small()).color(self.theme.quiet));
     }
 
-    /// A line to click; whether it was.
-    fn line(&self, ui: &mut Ui, here: bool, text: String) -> bool {
+    /// A line to click, with more to say of it; whether it was.
+    fn line(&self, ui: &mut Ui, here: bool, text: String, more: &str) -> bool {
         let line = Button::selectable(here, text).min_size(vec2(self.wide, 22.0));
-        let clicked = ui.add(line).clicked();
+        let mut response = ui.add(line);
+        if !more.is_empty() {
+            response = response.on_hover_text(more);
+        }
+        let clicked = response.clicked();
         if clicked {
             ui.close();
         }

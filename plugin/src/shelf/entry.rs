@@ -1,5 +1,7 @@
 //! A file in the user's folder of banks.
 
+use super::OwnError;
+use super::own::MOST_FILE;
 use modes::Bank;
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
@@ -41,12 +43,7 @@ impl Entry {
         if let Some(same) = before.iter().find(same) {
             return Some(same.clone());
         }
-        let card = Bank::load(&path)
-            .map(|bank| Card {
-                name: bank.name,
-                title: bank.title,
-            })
-            .map_err(|error| error.to_string());
+        let card = read(&path, metadata.len()).map_err(|error| error.to_string());
         Some(Self { path, card, stamp })
     }
 
@@ -58,6 +55,23 @@ impl Entry {
             _ => file_name(&self.path),
         }
     }
+}
+
+/// What is in a file of `len` bytes; one that no song carries is not read.
+fn read(path: &Path, len: u64) -> Result<Card, OwnError> {
+    let len = usize::try_from(len).unwrap_or(usize::MAX);
+    if len > MOST_FILE {
+        return Err(OwnError::Large {
+            title: file_name(path),
+            found_mib: len >> 20,
+            most_mib: MOST_FILE >> 20,
+        });
+    }
+    let bank = Bank::load(path)?;
+    Ok(Card {
+        name: bank.name,
+        title: bank.title,
+    })
 }
 
 /// The last part of a path.

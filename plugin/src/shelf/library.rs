@@ -196,11 +196,15 @@ mod tests {
         fs::write(at("a.bank"), "RIFF").unwrap();
         fs::write(at("notes.txt"), "no bank").unwrap();
         fs::create_dir(at("c.bank")).unwrap();
+        let huge = fs::File::create(at("d.bank")).unwrap();
+        huge.set_len(300 << 20).unwrap();
         assert!(library.refresh());
         assert!(!library.refresh(), "nothing new");
         let entries = library.entries();
         let titles: Vec<_> = entries.iter().map(Entry::title).collect();
-        assert_eq!(titles, ["a.bank", "The gong"]);
+        assert_eq!(titles, ["a.bank", "The gong", "d.bank"]);
+        let reason = entries[2].card.as_ref().unwrap_err();
+        assert!(reason.contains("300 MiB"), "{reason}");
         let reason = entries[0].card.as_ref().unwrap_err();
         assert!(reason.contains("not an Idiophone bank"), "{reason}");
         assert_eq!(library.named("gong"), Some(at("b.bank")));
@@ -210,7 +214,7 @@ mod tests {
         assert_eq!(library.named("bell"), Some(at("a.bank")));
         fs::remove_file(at("a.bank")).unwrap();
         assert!(library.refresh());
-        assert_eq!(library.entries().len(), 1);
+        assert_eq!(library.entries().len(), 2);
     }
 
     #[test]
