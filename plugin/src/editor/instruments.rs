@@ -5,7 +5,7 @@ use super::param::Param;
 use super::theme::{Theme, small, title};
 use crate::notices::{Cure, Notice, Notices, Subject};
 use crate::params::Controls;
-use crate::shelf::{Librarian, Library, OWN};
+use crate::shelf::{Librarian, Library, OWN, Said};
 use crate::user_folder;
 use egui::{
     Button, CursorIcon, Id, OpenUrl, Popup, Rect, Response, RichText, ScrollArea, Sense, Ui,
@@ -58,10 +58,10 @@ impl Instruments {
     /// is something new to draw.
     pub(super) fn watch(&mut self, news: impl Fn() + Send + 'static) {
         let notices = Arc::clone(self.notices());
-        let refuse = move |error: &_| refuse(&notices, error);
+        let say = move |said: &Said<'_>| notices.post(told(said));
         let library = Arc::clone(&self.library);
         let shelf = Arc::clone(self.controls.shelf());
-        self.librarian = Some(Librarian::hire(library, shelf, refuse, news));
+        self.librarian = Some(Librarian::hire(library, shelf, say, news));
     }
 
     pub(super) fn notices(&self) -> &Arc<Notices> {
@@ -182,13 +182,23 @@ impl Instruments {
     }
 }
 
-/// Tells why a bank does not come.
-fn refuse(notices: &Notices, error: &crate::shelf::OwnError) {
-    notices.post(Notice {
+/// What a librarian says, for people.
+fn told(said: &Said<'_>) -> Notice {
+    let (text, cure) = match said {
+        Said::Refused(error) => (error.to_string(), None),
+        Said::Renewed(card) => {
+            let text = format!(
+                "\"{}\" has been built anew in your folder; the song has it as it was.",
+                card.title
+            );
+            (text, Some(Cure::Load(card.name.clone())))
+        }
+    };
+    Notice {
         subject: Subject::File,
-        text: error.to_string(),
-        cure: None,
-    });
+        text,
+        cure,
+    }
 }
 
 /// What is chosen from the list.

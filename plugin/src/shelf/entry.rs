@@ -23,11 +23,11 @@ pub struct Entry {
     pub path: PathBuf,
     /// What is in it, or why it cannot be played.
     pub card: Result<Card, String>,
-    stamp: Stamp,
+    pub(super) stamp: Stamp,
 }
 
 /// What changes when a file does.
-type Stamp = (u64, Option<SystemTime>);
+pub(super) type Stamp = (u64, Option<SystemTime>);
 
 fn stamp(of: &Metadata) -> Stamp {
     (of.len(), of.modified().ok())

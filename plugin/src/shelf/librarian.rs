@@ -1,6 +1,6 @@
 //! Who looks after the library while a window is open.
 
-use super::{Library, OwnError, Shelf};
+use super::{Card, Library, OwnError, Shelf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
@@ -9,6 +9,14 @@ use std::time::Duration;
 /// Time between two looks at the folder.
 const PAUSE: Duration = Duration::from_secs(1);
 
+/// What a librarian has to say.
+pub(crate) enum Said<'a> {
+    /// Why a bank that was asked for does not come.
+    Refused(&'a OwnError),
+    /// The file of the bank that was taken last holds another now.
+    Renewed(&'a Card),
+}
+
 /// A thread that loads what is asked for and watches the folder, until this is dropped.
 pub(crate) struct Librarian {
     closing: Arc<AtomicBool>,
@@ -16,12 +24,12 @@ pub(crate) struct Librarian {
 }
 
 impl Librarian {
-    /// Begins; `refuse` is told why a bank that was asked for does not come, `news` that there is something
-    /// new to draw. Without a thread to be had, the list stays empty.
+    /// Begins; `say` is told what the user should know, `news` that there is something new to draw. Without
+    /// a thread to be had, the list stays empty.
     pub(crate) fn hire(
         library: Arc<Library>,
         shelf: Arc<Shelf>,
-        refuse: impl Fn(&OwnError) + Send + 'static,
+        say: impl Fn(&Said<'_>) + Send + 'static,
         news: impl Fn() + Send + 'static,
     ) -> Self {
         let closing = Arc::new(AtomicBool::new(false));
@@ -31,9 +39,14 @@ impl Librarian {
             while !closed.load(Ordering::Acquire) {
                 let served = library.serve(&shelf);
                 if let Some(Err(error)) = &served {
-                    refuse(error);
+                    say(&Said::Refused(error));
                 }
-                if library.refresh() || served.is_some() {
+                let changed = library.refresh();
+                let renewed = library.renewed();
+                if let Some(card) = &renewed {
+                    say(&Said::Renewed(card));
+                }
+                if changed || renewed.is_some() || served.is_some() {
                     news();
                 }
                 thread::park_timeout(PAUSE);
@@ -75,13 +88,15 @@ mod tests {
         let (library, shelf) = (Arc::new(Library::new(None)), Arc::<Shelf>::default());
         let (refusals, refused) = mpsc::channel();
         let (news, new) = mpsc::channel();
-        let refuse = move |error: &OwnError| {
-            let _ = refusals.send(error.to_string());
+        let say = move |said: &Said<'_>| {
+            if let Said::Refused(error) = said {
+                let _ = refusals.send(error.to_string());
+            }
         };
         let news = move || {
             let _ = news.send(());
         };
-        let librarian = Librarian::hire(Arc::clone(&library), Arc::clone(&shelf), refuse, news);
+        let librarian = Librarian::hire(Arc::clone(&library), Arc::clone(&shelf), say, news);
         let patience = Duration::from_secs(60);
         library.ask(folder.join("nothing.bank"));
         assert!(

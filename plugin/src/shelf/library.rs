@@ -1,6 +1,6 @@
 //! The user's folder of banks, and what is taken out of it.
 
-use super::entry::{Entry, file_name};
+use super::entry::{Card, Entry, Stamp, file_name};
 use super::{Own, OwnError, Shelf};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,6 +23,8 @@ pub struct Library {
     wanted: Mutex<Option<PathBuf>>,
     /// Who does the work.
     worker: Mutex<Option<Thread>>,
+    /// The file of the folder that was taken last, and how it was then.
+    taken: Mutex<Option<(PathBuf, Stamp)>>,
     /// A wanted bank lies on the shelf, and nobody has been told.
     arrived: AtomicBool,
 }
@@ -36,6 +38,7 @@ impl Library {
             entries: Mutex::new(Arc::new([])),
             wanted: Mutex::default(),
             worker: Mutex::default(),
+            taken: Mutex::default(),
             arrived: AtomicBool::new(false),
         }
     }
@@ -125,12 +128,26 @@ impl Library {
     /// If the bank cannot be had; the shelf is as it was. A copy that cannot be made takes nothing away.
     pub fn serve(&self, shelf: &Shelf) -> Option<Result<(), OwnError>> {
         let path = lock(&self.wanted).take()?;
+        let look = Entry::look(path.clone(), &[]);
+        *lock(&self.taken) = look.map(|entry| (path.clone(), entry.stamp));
         Some(Own::load(&path).map(|own| {
             shelf.put(own);
             // The song has it, whatever becomes of the copy.
             let _ = self.copy(&path);
             self.arrived.store(true, Ordering::Release);
         }))
+    }
+
+    /// What is in the file that was taken last, if that has changed since it was last looked at and can be
+    /// played.
+    pub fn renewed(&self) -> Option<Card> {
+        let mut taken = lock(&self.taken);
+        let (path, stamp) = taken.as_mut()?;
+        let entries = self.entries();
+        let entry = entries.iter().find(|entry| entry.path == *path)?;
+        let card = entry.card.as_ref().ok()?;
+        let old = std::mem::replace(stamp, entry.stamp);
+        (old != entry.stamp).then(|| card.clone())
     }
 
     /// Copies a file into the folder, under a name that is free there.
@@ -215,6 +232,27 @@ mod tests {
         fs::remove_file(at("a.bank")).unwrap();
         assert!(library.refresh());
         assert_eq!(library.entries().len(), 2);
+    }
+
+    #[test]
+    fn a_file_that_was_taken_and_is_built_anew_is_told_once() {
+        let folder = Folder::new("anew");
+        let file = folder.0.join("bell.bank");
+        small_bank("bell").save(&file).unwrap();
+        let (library, shelf) = (Library::new(Some(folder.0.clone())), Shelf::default());
+        library.refresh();
+        assert_eq!(library.renewed(), None, "none was taken");
+        library.ask(file.clone());
+        assert!(library.serve(&shelf).unwrap().is_ok());
+        library.refresh();
+        assert_eq!(library.renewed(), None);
+        fs::write(&file, "half of it").unwrap();
+        library.refresh();
+        assert_eq!(library.renewed(), None, "it cannot be played");
+        small_bank("larger bell").save(&file).unwrap();
+        library.refresh();
+        assert_eq!(library.renewed().unwrap().name, "larger bell");
+        assert_eq!(library.renewed(), None);
     }
 
     #[test]

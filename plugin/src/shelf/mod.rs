@@ -15,7 +15,7 @@ mod shelved;
 pub use entry::{Card, Entry};
 pub use error::OwnError;
 #[cfg(feature = "gui")]
-pub(crate) use librarian::Librarian;
+pub(crate) use librarian::{Librarian, Said};
 pub use library::Library;
 #[cfg(test)]
 pub(crate) use own::small;
