@@ -1,7 +1,7 @@
 //! A file in the user's folder of banks.
 
 use super::OwnError;
-use super::own::MOST_FILE;
+use super::own::{MOST_FILE, title};
 use modes::Bank;
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use std::time::SystemTime;
 pub struct Card {
     /// Name of the instrument, fit for a file.
     pub name: String,
-    /// Name of the instrument for people.
+    /// Name of the instrument for people; the other one if it has none.
     pub title: String,
 }
 
@@ -47,12 +47,12 @@ impl Entry {
         Some(Self { path, card, stamp })
     }
 
-    /// Its name for people; the file's if the bank has none or cannot be read.
+    /// Its name for people; the file's if the bank cannot be read.
     #[must_use]
     pub fn title(&self) -> String {
         match &self.card {
-            Ok(card) if !card.title.is_empty() => card.title.clone(),
-            _ => file_name(&self.path),
+            Ok(card) => card.title.clone(),
+            Err(_) => file_name(&self.path),
         }
     }
 }
@@ -69,8 +69,8 @@ fn read(path: &Path, len: u64) -> Result<Card, OwnError> {
     }
     let bank = Bank::load(path)?;
     Ok(Card {
+        title: title(&bank),
         name: bank.name,
-        title: bank.title,
     })
 }
 

@@ -89,7 +89,8 @@ impl Own {
     }
 }
 
-fn title(bank: &Bank) -> String {
+/// The bank's name for people, or else the one for files.
+pub(super) fn title(bank: &Bank) -> String {
     if bank.title.is_empty() {
         bank.name.clone()
     } else {

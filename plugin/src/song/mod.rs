@@ -48,7 +48,8 @@ impl Song {
 
     /// The instrument that the song wants.
     fn take_wish(&self, fields: &BTreeMap<String, String>, saved_by: Option<&str>) {
-        let wish = fields.get(INSTRUMENT).and_then(|field| Wish::read(field));
+        let field = fields.get(INSTRUMENT);
+        let wish = field.and_then(|field| Wish::read(field));
         let unmet = wish.filter(|wish| wish.index().is_none());
         self.controls.notices().clear(Subject::Instrument);
         if let Some(wish) = &unmet {
@@ -64,7 +65,8 @@ impl Song {
                 cure: Some(Cure::Stay),
             });
         }
-        self.controls.wish_for(unmet.map(|wish| wish.write()));
+        // Word for word: there may be more to it than this version reads.
+        self.controls.wish_for(unmet.and(field.cloned()));
     }
 
     /// The user's own bank.

@@ -106,7 +106,7 @@ fn instruments_are_found_by_name_when_numbers_have_moved() {
 
 #[test]
 fn an_instrument_of_the_future_is_kept_until_another_is_chosen() {
-    let gong = "{\"name\":\"gong\",\"title\":\"Great gong\"}";
+    let gong = "{\"name\":\"gong\", \"title\":\"Great gong\", \"of\":\"bronze\"}";
     for (number, field, kept) in [(3, Some(gong), gong), (99, None, "99"), (-7, None, "-7")] {
         let instance = Instance::new();
         let field = field.map(|field| (INSTRUMENT, field));

@@ -68,15 +68,15 @@ pub(crate) fn resolve(state: &mut PluginState) {
         Some(ParamValue::I32(number)) => *number,
         _ => return,
     };
-    let named = state
-        .fields
-        .get(INSTRUMENT)
-        .and_then(|field| Wish::read(field));
-    let wish = named.unwrap_or(Wish::Number(saved));
-    let index = wish.index().unwrap_or(0);
-    let number = i32::try_from(index).unwrap_or(0);
+    let named = state.fields.get(INSTRUMENT);
+    let named = named.and_then(|field| Wish::read(field));
+    let wish = named.unwrap_or_else(|| {
+        let wish = Wish::Number(saved);
+        state.fields.insert(INSTRUMENT.to_owned(), wish.write());
+        wish
+    });
+    let number = i32::try_from(wish.index().unwrap_or(0)).unwrap_or(0);
     state.params.insert(id.to_owned(), ParamValue::I32(number));
-    state.fields.insert(INSTRUMENT.to_owned(), wish.write());
 }
 
 #[cfg(test)]
