@@ -17,10 +17,10 @@ mod equal_temperament;
 pub mod factory;
 #[cfg(feature = "solve")]
 pub mod fem;
-#[cfg(any(feature = "solve", test))]
 mod fnv;
 #[cfg(feature = "solve")]
 pub mod freeform;
+mod hash;
 mod label;
 mod material;
 mod materials;
@@ -53,6 +53,7 @@ pub use bank::{
 pub use code::CODE;
 pub use damping::{Damping, Motion, Rayleigh, t60_s};
 pub use equal_temperament::equal_temperament_hz;
+pub use hash::fnv1a;
 pub use label::{Family, Member, ModeLabel};
 pub use material::{Material, MaterialError};
 pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};

@@ -25,7 +25,7 @@ pub(super) fn choice(
 }
 
 /// The place 0…1 of a name by number.
-fn place(index: usize, steps: usize) -> f32 {
+pub(super) fn place(index: usize, steps: usize) -> f32 {
     index as f32 / steps.max(1) as f32
 }
 
@@ -75,7 +75,7 @@ pub(super) fn chooser(
 }
 
 /// Names that keys or wheel go on by.
-fn stepped(ui: &Ui, response: &Response) -> f32 {
+pub(super) fn stepped(ui: &Ui, response: &Response) -> f32 {
     let mut moved = 0.0;
     if response.has_focus() {
         ui.memory_mut(|memory| {
@@ -101,7 +101,15 @@ fn stepped(ui: &Ui, response: &Response) -> f32 {
     moved
 }
 
-fn paint(ui: &Ui, rect: Rect, text: &str, theme: &Theme, font: FontId, response: &Response) {
+/// The box itself.
+pub(super) fn paint(
+    ui: &Ui,
+    rect: Rect,
+    text: &str,
+    theme: &Theme,
+    font: FontId,
+    response: &Response,
+) {
     let painter = ui.painter_at(rect);
     let edge = if response.has_focus() {
         theme.glow

@@ -8,7 +8,7 @@ pub const MOST_MODES: usize = 2048;
 /// One look at the engine.
 #[derive(Clone, Debug)]
 pub struct Frame {
-    /// Index of the instrument.
+    /// Number of the instrument; see [`crate::shelf::Shelf`].
     pub instrument: usize,
     /// The last blow.
     pub struck: Option<Struck>,

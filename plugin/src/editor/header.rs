@@ -1,7 +1,7 @@
 //! The line at the top: which preset, which instrument, undo and compare, how bright a window, how loud.
 
-use super::choice::chooser;
 use super::icon::Icon;
+use super::instruments::Instruments;
 use super::meter::Meter;
 use super::param::Param;
 use super::presets::{Browser, Session, bar, tools};
@@ -12,6 +12,7 @@ use nice_plug::prelude::ParamSetter;
 /// What the header is about.
 pub(super) struct Top<'a> {
     pub(super) instrument: Option<&'a Param>,
+    pub(super) instruments: &'a Instruments,
     pub(super) meter: &'a mut Meter,
     pub(super) session: &'a mut Session,
     pub(super) browser: &'a mut Browser,
@@ -39,7 +40,15 @@ pub(super) fn header(
         left = name.right() + APART;
     }
     if let Some(param) = top.instrument {
-        left = instrument(ui, left, middle, wide, param, theme, setter) + SIDE;
+        left = instrument(
+            ui,
+            left,
+            middle,
+            wide,
+            (param, top.instruments),
+            theme,
+            setter,
+        ) + SIDE;
     }
     let spare = area.right() - left - if wide { 330.0 } else { 280.0 };
     let right = left + spare.clamp(150.0, 340.0);
@@ -68,7 +77,7 @@ fn instrument(
     left: f32,
     middle: f32,
     wide: bool,
-    param: &Param,
+    (param, instruments): (&Param, &Instruments),
     theme: &Theme,
     setter: &ParamSetter<'_>,
 ) -> f32 {
@@ -76,7 +85,7 @@ fn instrument(
     let size = vec2(if wide { 148.0 } else { 132.0 }, 30.0);
     let list = Rect::from_min_size(pos2(left + arrow, middle - 15.0), size);
     let font = if wide { body() } else { small() };
-    chooser(ui, list, param, theme, font, setter);
+    instruments.show(ui, list, param, theme, font, setter);
     if wide {
         let button = |x: f32| Rect::from_center_size(pos2(x, middle), vec2(20.0, 28.0));
         step(ui, button(list.left() - 11.0), -1.0, param, theme, setter);

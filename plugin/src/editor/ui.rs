@@ -5,9 +5,11 @@ use super::figure::key_name;
 use super::frame::Frame;
 use super::hands::Hands;
 use super::header::{Top, header};
+use super::instruments::Instruments;
 use super::link::Link;
 use super::log::Log;
 use super::meter::Meter;
+use super::notice::notice;
 use super::pages::Pages;
 use super::param::Param;
 use super::places::Places;
@@ -22,9 +24,10 @@ use super::trimming::Trimming;
 use super::view::{Sight, View};
 use super::why::{Blow, Leaf, Spectrum, Why, damping};
 use crate::engine::{Settings, contact_s};
-use crate::factory;
 use crate::params::Controls;
+use crate::shelf::Shelved;
 use egui::{Align2, CornerRadius, Rect, pos2, vec2};
+use modes::Bank;
 use nice_plug::prelude::ParamSetter;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -50,6 +53,7 @@ pub struct Ui {
     trimming: Trimming,
     blow: Blow,
     spectrum: Spectrum,
+    instruments: Instruments,
     /// The theme that egui has been told of.
     dressed: Option<bool>,
 }
@@ -63,6 +67,7 @@ impl Ui {
         Self {
             session: Session::new(&controls, &saved, &params, &log),
             browser: Browser::default(),
+            instruments: Instruments::new(&controls),
             params,
             controls,
             saved,
@@ -71,7 +76,7 @@ impl Ui {
             nothing: Frame::default(),
             hands: Hands::default(),
             row: Row::default(),
-            shown: Shown::new(0, None),
+            shown: Shown::new(0, Shelved::factory(0), None),
             meter: Meter::default(),
             pages: Pages::default(),
             view: View::default(),
@@ -93,6 +98,11 @@ impl Ui {
     /// Keeps presets and favourites in another folder than the user's; in none, if there is none.
     pub fn keep_presets_in(&mut self, home: Option<PathBuf>) {
         self.session.move_to(home);
+    }
+
+    /// Banks of the user's own.
+    pub fn instruments(&mut self) -> &mut Instruments {
+        &mut self.instruments
     }
 
     /// A new window: egui knows nothing of the theme yet.
@@ -123,12 +133,14 @@ impl Ui {
         let instrument = self.param("instr");
         #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
         let index = instrument.as_ref().map_or(0.0, Param::plain).round() as usize;
+        let shelf = Arc::clone(self.controls.shelf());
+        let index = shelf.number(index);
         let frame = if self.frame.instrument == index {
             &*self.frame
         } else {
             &self.nothing
         };
-        self.shown.follow(index, frame);
+        self.shown.follow(index, |number| shelf.bank(number), frame);
         let all = ui.max_rect();
         ui.painter().rect_filled(all, 0.0, theme.ground);
         let places = Places::of(all);
@@ -139,6 +151,7 @@ impl Ui {
         self.session.compare();
         let top = Top {
             instrument: instrument.as_ref(),
+            instruments: &self.instruments,
             meter: &mut self.meter,
             session: &mut self.session,
             browser: &mut self.browser,
@@ -146,6 +159,9 @@ impl Ui {
         if header(ui, places.header, top, &theme, setter) {
             self.saved.set_dark(!dark);
             ui.ctx().request_repaint();
+        }
+        if let Some(param) = &instrument {
+            self.instruments.arrive(param, setter);
         }
         let now_s = ui.input(|input| input.time);
         self.session.listen(now_s, false);
@@ -171,13 +187,17 @@ impl Ui {
                 key_name(self.row.lowest())
             )
         };
-        ui.painter().with_clip_rect(places.hint).text(
-            places.hint.left_center(),
-            Align2::LEFT_CENTER,
-            hint.unwrap_or(usual),
-            small(),
-            theme.quiet,
-        );
+        if let Some(news) = self.instruments.news() {
+            notice(ui, places.hint, &news, &self.instruments, &theme);
+        } else {
+            ui.painter().with_clip_rect(places.hint).text(
+                places.hint.left_center(),
+                Align2::LEFT_CENTER,
+                hint.unwrap_or(usual),
+                small(),
+                theme.quiet,
+            );
+        }
         self.session.listen(now_s, false);
         let middle = Rect::from_min_max(places.header.left_bottom(), places.hint.right_top());
         let ready = self.frame.instrument == index;
@@ -197,7 +217,8 @@ impl Ui {
         setter: &ParamSetter<'_>,
     ) -> Option<String> {
         let settings = self.controls.settings();
-        let contact_s = self.contact_s(index, &settings);
+        let bank = self.shown.bank.clone();
+        let contact_s = self.contact_s(&bank, &settings);
         let inner = places.why.shrink2(vec2(APART, NEAR));
         let mut leaves = self.why.leaves(ui, inner, places.body.is_none(), theme);
         leaves.extend(places.body.map(|body| (Leaf::Body, body.shrink(APART))));
@@ -211,7 +232,7 @@ impl Ui {
             shown: &self.shown,
             frame,
             settings: &settings,
-            own: &factory::bank(index).damping,
+            own: &bank.damping,
             contact_s,
             trims: self.controls.trims(),
             theme,
@@ -234,7 +255,7 @@ impl Ui {
                 }
                 Leaf::Blow => {
                     let velocity = f64::from(self.row.velocity) / 127.0;
-                    self.blow.show(ui, area, index, velocity, &scene);
+                    self.blow.show(ui, area, velocity, &scene);
                 }
                 Leaf::Spectrum => self.spectrum.show(ui, area, theme),
                 Leaf::Body => {
@@ -266,8 +287,7 @@ impl Ui {
     }
 
     /// How long a click touches the body that is shown, in s.
-    fn contact_s(&self, instrument: usize, settings: &Settings) -> f64 {
-        let bank = factory::bank(instrument);
+    fn contact_s(&self, bank: &Bank, settings: &Settings) -> f64 {
         let body = bank.bodies.iter().find(|body| body.key == self.shown.key);
         let velocity = f64::from(self.row.velocity) / 127.0;
         body.map_or(1e-3, |body| contact_s(bank, body, settings, velocity))
@@ -287,8 +307,9 @@ impl Ui {
         strip(ui, side, &mut self.row.velocity, theme);
         let area = Rect::from_min_max(pos2(side.right() + APART, inner.top()), inner.max);
         let [position, across] = ["pos", "acrs"].map(|id| self.param(id));
+        let bank = self.shown.bank.clone();
         let stage = Stage {
-            bank: factory::bank(instrument),
+            bank: &bank,
             frame: if self.frame.instrument == instrument {
                 &self.frame
             } else {

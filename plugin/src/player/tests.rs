@@ -7,6 +7,7 @@ use modes::tuning::Tuning;
 use nice_plug::context::process::{SendEventError, Transport};
 use nice_plug::midi::{Channel, VoiceID};
 use nice_plug::prelude::{PluginApi, control_change};
+use std::sync::Arc;
 
 type Event = NoteEvent<()>;
 
@@ -77,7 +78,12 @@ fn cc(timing: u32, cc: u8, value: f32) -> Event {
 fn player() -> Player {
     let tuner = Tuner::new(Tuning::default(), None);
     let controls = Arc::new(Controls::default());
-    Player::new(Stage::new(0, 48_000.0), tuner, controls, 48_000.0)
+    Player::new(
+        Stage::new(0, crate::factory::bank(0), 48_000.0),
+        tuner,
+        controls,
+        48_000.0,
+    )
 }
 
 fn play(player: &mut Player, frames: usize, events: Vec<Event>) -> (Vec<f32>, Vec<(u32, i32)>) {
@@ -262,7 +268,7 @@ fn trims_reach_what_rings_and_instruments_that_come_later() {
         levels[..count].iter().filter(|level| **level > 0.0).count()
     };
     assert_eq!(sounding(&mut player), 1);
-    let bench = crate::workshop::Bench::new(48_000.0);
+    let bench = crate::workshop::Bench::new(Arc::default(), 48_000.0);
     for wanted in [1, 0] {
         player.stage().turn(wanted, &bench);
         bench.work();

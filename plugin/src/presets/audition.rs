@@ -3,6 +3,7 @@
 use super::preset::Preset;
 use crate::Idiophone;
 use crate::engine::GRID;
+use crate::factory;
 use crate::params::{Controls, body::INSTRUMENT, output::LIMITER};
 use crate::player::Player;
 use crate::stage::Stage;
@@ -75,7 +76,7 @@ fn player(preset: &Preset, rate_hz: f64) -> Player {
         clippy::cast_sign_loss,
         reason = "a number of an instrument is none below 0"
     )]
-    let stage = Stage::new(index as usize, rate_hz);
+    let stage = Stage::new(index as usize, factory::bank(index as usize), rate_hz);
     Player::new(stage, tuner, controls, rate_hz)
 }
 

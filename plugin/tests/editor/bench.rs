@@ -6,6 +6,7 @@ use idiophone::editor::{Link, Saved, Touch, Ui};
 use idiophone::engine::{Engine, Vectors};
 use idiophone::factory;
 use idiophone::params::Controls;
+use idiophone::shelf::OWN;
 use nice_plug::prelude::{ParamPtr, ParamSetter, Params as _};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -42,8 +43,7 @@ impl Bench {
             host: Rc::default(),
             ui: Rc::new(RefCell::new(ui)),
         };
-        let last = factory::BANKS.len() - 1;
-        bench.set("instr", instrument as f32 / last as f32);
+        bench.set("instr", instrument as f32 / OWN as f32);
         bench
     }
 

@@ -1,10 +1,12 @@
 //! How the window looks.
 
 use crate::bench::Bench;
+use crate::own::Folder;
 use crate::picture::check;
 use crate::raster::{Pixels, Raster};
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, ViewportId, vec2};
 use idiophone::engine::Trim;
+use idiophone::notices::{Cure, Notice, Subject};
 use nice_plug::prelude::ParamSetter;
 
 /// Draws a window of `size` points after the pointer has come to a place and, if so said, clicked there.
@@ -16,6 +18,8 @@ pub(crate) fn draw(
 ) -> Pixels {
     let context = Context::default();
     bench.ui.borrow_mut().undress();
+    // Lists are there at once.
+    context.all_styles_mut(|style| style.animation_time = 0.0);
     let mut raster = Raster::default();
     let mut drawn = None;
     // Sizes settle, and what moves comes to rest.
@@ -200,4 +204,20 @@ fn a_wide_window() {
         "singing-bowls-wide",
         &draw(&bench, [1920.0, 1080.0], 1.0, None),
     );
+}
+
+#[test]
+fn the_list_of_instruments_and_what_a_song_lacks() {
+    let (bench, folder) = (Bench::new("chimes"), Folder::new("looks"));
+    let _library = folder.give(&bench);
+    bench.controls.notices().post(Notice {
+        subject: Subject::Bank,
+        text: "The song's own instrument cannot be read: \"A bell of mine\" is kept as of layout 2, and the \
+               newest that this version reads is 1; update Idiophone. The song keeps it as it is."
+            .to_owned(),
+        cure: Some(Cure::Load("A bell of mine".to_owned())),
+    });
+    let list = Pos2::ZERO + vec2(240.0, 22.0);
+    let drawn = draw(&bench, USUAL, 1.0, Some((list, true)));
+    check("chimes-list", &drawn);
 }

@@ -12,6 +12,7 @@ mod host;
 mod knobs;
 mod looks;
 mod menus;
+mod own;
 mod partials;
 mod picture;
 mod presets;

@@ -20,7 +20,6 @@ use super::param::Param;
 use super::shown::Shown;
 use super::solid::{Solid, Vector};
 use super::theme::{Cause, NEAR, Theme};
-use crate::factory;
 use egui::{CursorIcon, Id, Rect, Role, Sense, Shape, Ui, WidgetInfo, pos2, vec2};
 use marks::{Mark, controls, mark};
 use nice_plug::prelude::ParamSetter;
@@ -133,7 +132,7 @@ impl View {
         {
             return Some((key, solid));
         }
-        let bank = factory::bank(sight.instrument);
+        let bank = &sight.shown().bank;
         let body = bank.bodies.iter().find(|body| body.key == key)?;
         let solid = Solid::of(body, &bank.material);
         let other = instrument != Some(sight.instrument);
@@ -144,7 +143,7 @@ impl View {
 
     fn paint(&mut self, ui: &Ui, area: Rect, solid: &Solid, sight: &Sight<'_, '_>) {
         let theme = sight.theme;
-        let material = &factory::bank(sight.instrument).material;
+        let material = &sight.shown().bank.material;
         let hz: Vec<f64> = sight.shown().partials.iter().map(|p| p.hz).collect();
         let ours = sight
             .frame

@@ -6,7 +6,6 @@ use super::super::plot::Scene;
 use super::super::ringing::hertz;
 use super::super::theme::{NEAR, Theme, small};
 use crate::engine::{Mallet, Pulse, Settings, Tweak};
-use crate::factory;
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{
     Align2, Color32, CornerRadius, Painter, Pos2, Rangef, Rect, Shape, Stroke, Ui, pos2, vec2,
@@ -48,12 +47,12 @@ fn below_db(share: f64) -> f32 {
 
 impl Blow {
     /// The pulse of the last blow on the body that is shown, or of one as it would be, and its spectrum.
-    fn follow(&mut self, instrument: usize, velocity: f64, scene: &Scene<'_>) -> (&Pulse, &[f64]) {
+    fn follow(&mut self, velocity: f64, scene: &Scene<'_>) -> (&Pulse, &[f64]) {
         let Settings { mallet, tweak, .. } = *scene.settings;
         let key = scene.shown.key;
         let struck = scene.frame.struck.filter(|struck| struck.key == key);
         let asked = Asked {
-            instrument,
+            instrument: scene.shown.instrument,
             key,
             velocity: struck.map_or(velocity, |struck| struck.velocity),
             position: struck.map_or(scene.settings.strike_position, |struck| struck.position),
@@ -65,7 +64,7 @@ impl Blow {
             self.known = None;
         }
         let (_, pulse, spectrum) = self.known.get_or_insert_with(|| {
-            let bank = factory::bank(instrument);
+            let bank = &scene.shown.bank;
             let body = bank.bodies.iter().find(|body| body.key == key);
             let none = Pulse {
                 step_s: 1e-5,
@@ -81,16 +80,9 @@ impl Blow {
     }
 
     /// Draws both in `area`.
-    pub(in super::super) fn show(
-        &mut self,
-        ui: &Ui,
-        area: Rect,
-        instrument: usize,
-        velocity: f64,
-        scene: &Scene<'_>,
-    ) {
+    pub(in super::super) fn show(&mut self, ui: &Ui, area: Rect, velocity: f64, scene: &Scene<'_>) {
         let theme = scene.theme;
-        let (pulse, spectrum) = self.follow(instrument, velocity, scene);
+        let (pulse, spectrum) = self.follow(velocity, scene);
         let painter = ui.painter().with_clip_rect(area);
         let mallet = &scene.settings.mallet;
         let reaches = (0..POINTS)

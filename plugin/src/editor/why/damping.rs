@@ -185,12 +185,13 @@ mod tests {
     use crate::engine::Settings;
     use crate::factory;
     use crate::params::TrimTable;
+    use crate::shelf::Shelved;
 
     #[test]
     fn a_handle_asks_for_what_then_is_taken() {
         let bank = factory::bank(1);
         let mut settings = Settings::default();
-        let shown = Shown::new(1, None);
+        let shown = Shown::new(1, Shelved::factory(1), None);
         let (frame, trims) = (Frame::default(), TrimTable::default());
         for (cause, hz) in [
             (Cause::Alpha1, 8000.0),
