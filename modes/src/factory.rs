@@ -12,3 +12,4 @@ pub(crate) use body::halved;
 pub use build::{BuildError, build};
 pub use cache::{Built, CacheError, cached};
 pub use progress::{Progress, Silent};
+pub(crate) use sound::{ears_m, sounding};

@@ -18,8 +18,10 @@ mod equal_temperament;
 pub mod factory;
 #[cfg(feature = "solve")]
 pub mod fem;
-#[cfg(any(feature = "solve", test))]
 mod fnv;
+#[cfg(feature = "solve")]
+pub mod freeform;
+mod hash;
 mod label;
 mod material;
 mod materials;
@@ -34,6 +36,8 @@ mod recipe;
 #[cfg(feature = "solve")]
 pub mod revolution;
 pub mod shape;
+#[cfg(feature = "solve")]
+pub mod solid;
 #[cfg(feature = "solve")]
 pub mod solve;
 #[cfg(feature = "solve")]
@@ -51,6 +55,7 @@ pub use bank::{
 pub use code::CODE;
 pub use damping::{Damping, Motion, Rayleigh, t60_s};
 pub use equal_temperament::equal_temperament_hz;
+pub use hash::fnv1a;
 pub use label::{Family, Member, ModeLabel};
 pub use material::{Material, MaterialError};
 pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
@@ -58,8 +63,9 @@ pub use mode_shape::ModeShape;
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
-    ImperfectionRecipe, ImperfectionSize, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe,
-    RecipeError, RecipeFileError, ResonatorRecipe, ShapeRecipe, TuningRecipe,
+    FreeFineness, FreeRecipe, FreeTuning, ImperfectionRecipe, ImperfectionSize, KeyRange,
+    ListenerRecipe, LossRecipe, MeshRecipe, MeshShape, Recipe, RecipeError, RecipeFileError,
+    ResonatorRecipe, ShapeRecipe, TunedMode, TuningRecipe,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;

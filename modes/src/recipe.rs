@@ -3,11 +3,15 @@
 mod check;
 mod closed;
 mod error;
+mod free;
+#[cfg(test)]
+mod free_tests;
 mod material;
 mod raw;
 mod together;
 
 pub use error::{RecipeError, RecipeFileError};
+pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
 
 use crate::shape::{Bowl, ClosedShape};
 use crate::{Damping, Material};

@@ -8,12 +8,12 @@ const BETWEEN_EARS_M: f64 = 0.2;
 
 /// The listener's ears in the frame of the row, in m: x along it, y away from the player, z up.
 #[must_use]
-pub(super) fn ears_m(recipe: &ListenerRecipe) -> [[f64; 3]; 2] {
+pub(crate) fn ears_m(recipe: &ListenerRecipe) -> [[f64; 3]; 2] {
     [-0.5, 0.5].map(|side| [side * BETWEEN_EARS_M, -recipe.distance_m, recipe.above_m])
 }
 
 /// The body of `key` as the listener hears it from its `place` in the row, 0 leftmost to 1.
-pub(super) fn sounding(
+pub(crate) fn sounding(
     solved: SolvedBody,
     (key, pitch_hz): (u8, f64),
     place: f64,

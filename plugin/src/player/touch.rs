@@ -60,7 +60,7 @@ mod tests {
     fn player() -> Player {
         let tuner = Tuner::new(Tuning::default(), None);
         Player::new(
-            Stage::new(0, 48e3),
+            Stage::new(0, crate::factory::bank(0), 48e3),
             tuner,
             Arc::new(Controls::default()),
             48e3,

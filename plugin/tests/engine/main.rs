@@ -8,3 +8,4 @@ mod real_time;
 mod ringing;
 mod strikes;
 mod support;
+mod trims;

@@ -27,7 +27,7 @@ pub(super) fn dots(body: &Body, damping: &Damping, position: f64) -> Vec<Dot> {
         .modes
         .iter()
         .map(|mode| {
-            let start = pressure_pa(body, mode, position);
+            let start = pressure_pa(body, mode, [position, 0.0]);
             start * lasting(mode.decay_per_s(damping))
         })
         .collect();
@@ -54,10 +54,10 @@ fn lasting(decay_per_s: f64) -> f64 {
     }
 }
 
-/// Pressure that a mode sends to the nearer ear after 1 N·s along the normal at `position`: the
-/// impulse gives the mode an amplitude φ·n/ω (O'Brien 2002, Eq. 18 without its 2).
-fn pressure_pa(body: &Body, mode: &Mode, position: f64) -> f64 {
-    let spot = body.line.grid().spot(position, 0.0);
+/// Pressure that a mode sends to the nearer ear after 1 N·s along the normal at a place along and
+/// across the strike grid: the impulse gives the mode an amplitude φ·n/ω (O'Brien 2002, Eq. 18 without its 2).
+pub(crate) fn pressure_pa(body: &Body, mode: &Mode, [position, across]: [f64; 2]) -> f64 {
+    let spot = body.line.grid().spot(position, across);
     let normal = body.line.normal_motion(&mode.shape, &spot);
     let ear = (0..2)
         .map(|ear| {
@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn pressure_is_motion_over_frequency_at_the_nearer_ear() {
         let mode = mode(100.0, 2.0);
-        let found = pressure_pa(&body(vec![mode.clone()]), &mode, 0.5);
+        let found = pressure_pa(&body(vec![mode.clone()]), &mode, [0.5, 0.0]);
         assert!((found / (2.0 * 5.0 / (TAU * 100.0)) - 1.0).abs() < 1e-6);
     }
 

@@ -2,6 +2,7 @@
 
 mod joined;
 mod pushed;
+mod trimmed;
 mod tuned;
 
 pub(crate) use pushed::Strike;
@@ -16,6 +17,7 @@ use super::sympathy::Strand;
 use modes::StrikeGrid;
 use pushed::MALLETS;
 use std::ops::Range;
+use trimmed::Trimmed;
 
 /// Amplitude below which a mode is stopped, as a fraction of full scale: −180 dB.
 pub(crate) const FLOOR: f64 = 1e-9;
@@ -35,6 +37,7 @@ pub(crate) struct Body {
     /// What is heard of it otherwise at the end of this cell than at its start.
     pub(crate) fading: Moved,
     tones: Vec<Tone>,
+    trimmed: Trimmed,
     sources: Vec<Source>,
     /// Leading packs that are heard through a resonator.
     piped: usize,
@@ -84,6 +87,7 @@ impl Body {
             driven: false,
             fading: Moved::NONE,
             piped: usize::from(modes.iter().any(Reached::is_piped)),
+            trimmed: Trimmed::new(&modes),
             tones,
             sources,
             normal,
@@ -167,6 +171,7 @@ impl Body {
                     omega: tone.omega[i],
                     decay_per_s: f64::from(tone.decay[i]),
                     power: energy * gains.map(|gain| gain * gain).sum::<f64>(),
+                    swing: energy.sqrt() / tone.omega[i],
                 }
             })
         })
@@ -181,4 +186,6 @@ pub(crate) struct Sound {
     pub(crate) decay_per_s: f64,
     /// Square of its amplitude, sum of both ears.
     pub(crate) power: f64,
+    /// Its amplitude, in m·kg^(1/2).
+    pub(crate) swing: f64,
 }

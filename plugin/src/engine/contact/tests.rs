@@ -81,6 +81,7 @@ impl Contact {
 }
 
 const FREE: Tuned = Tuned {
+    trims: 0,
     drain: Drain {
         alpha1_s: 0.0,
         alpha2_per_s: 0.0,

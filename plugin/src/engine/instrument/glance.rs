@@ -1,6 +1,7 @@
 //! What can be seen of an engine while it plays.
 
 use super::{Body, Engine, keys};
+use crate::engine::body::Sound;
 use crate::engine::touch::Touch;
 
 /// The last blow.
@@ -77,12 +78,23 @@ impl Engine {
     /// Writes how loud each mode of a key's body is now, as an amplitude over full scale, in the order of
     /// [`Partial::all`](super::super::Partial::all); how many were written.
     pub fn levels(&self, key: u8, out: &mut [f32]) -> usize {
+        self.each_mode(key, out, |sound| sound.power.sqrt())
+    }
+
+    /// Writes how far each mode of a key's body swings now, in m·kg^(1/2), in the order of
+    /// [`Partial::all`](super::super::Partial::all); how many were written.
+    pub fn swings(&self, key: u8, out: &mut [f32]) -> usize {
+        self.each_mode(key, out, |sound| sound.swing)
+    }
+
+    /// Writes what `of` says of each mode of a key's body; how many were written.
+    fn each_mode(&self, key: u8, out: &mut [f32], of: impl Fn(&Sound) -> f64) -> usize {
         let Some(body) = self.body(key) else {
             return 0;
         };
         let mut written = 0;
         for (out, sound) in out.iter_mut().zip(body.sounds(&self.packs)) {
-            *out = sound.power.sqrt() as f32;
+            *out = of(&sound) as f32;
             written += 1;
         }
         written

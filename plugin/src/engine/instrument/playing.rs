@@ -87,6 +87,7 @@ impl Engine {
         if self.awake & bit(key) == 0 {
             self.awake |= bit(key);
             body.fading = Moved::NONE;
+            body.trim(&self.trims, self.trims_number);
             let moved = body.listen(&hearing);
             body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
         } else if self.driven & bit(key) == 0 {
