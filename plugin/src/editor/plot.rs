@@ -7,7 +7,7 @@ use super::grid::{FLOOR_DB, Halves, grid};
 use super::ringing::{Ringing, hertz};
 use super::shown::Shown;
 use super::theme::{Cause, Theme, small};
-use super::trimming::{Grasp, Scales, Trimming, all_back, words};
+use super::trimming::{Grasp, Scales, Trimming, words};
 use crate::engine::{Settings, Trim};
 use crate::params::TrimTable;
 use egui::{
@@ -97,7 +97,7 @@ pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>, trimming: &mut Tr
         let on = pointed.is_some_and(|on| on.number == line.number);
         draw(painter, scene, line, &halves, &t60, on);
     }
-    let taken = all_back(ui, header, scene.trims, scene.theme);
+    let taken = trimming.all_back(ui, header, scene.trims, scene.theme);
     let header = header.with_max_x(header.right() - taken);
     describe(ui, header, scene, pointed.or_else(|| first_told(&lines)));
     response.on_hover_cursor(CursorIcon::ResizeVertical);

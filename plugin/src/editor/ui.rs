@@ -168,6 +168,7 @@ impl Ui {
         let row_hint = self.play(ui, places.row, index, &theme, setter);
         let body_hint = self.middle(ui, &places, index, &theme, setter);
         self.session.listen(now_s, true);
+        self.session.trimmed(self.trimming.ended(), now_s);
         let hint = row_hint.or(body_hint);
         self.pages.show(
             ui,
