@@ -10,11 +10,13 @@ use clack_extensions::params::{
 use clack_extensions::state::PluginState;
 use clack_extensions::thread_check::{HostThreadCheck, HostThreadCheckImpl};
 use clack_host::entry::{LibraryEntry, PluginEntry};
+use clack_host::events::Match;
+use clack_host::events::event_types::NoteOnEvent;
 use clack_host::prelude::*;
 use clack_host::utils::ClapId;
 use std::ffi::CString;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, AtomicU64, Ordering};
 use std::thread::{self, JoinHandle, ThreadId};
 use std::time::{Duration, Instant};
 
@@ -92,6 +94,8 @@ impl HostGuiImpl for Shared {
 struct Told {
     stop: AtomicBool,
     blocks: AtomicU64,
+    /// A key to be struck with the next block, or 0.
+    key: AtomicU8,
     /// Greatest sample, as bits.
     peak: AtomicU32,
 }
@@ -151,14 +155,27 @@ impl Host {
         }
     }
 
-    /// Opens the editor in the screen's window; its size in pixels.
-    pub(crate) fn open(&mut self, screen: &Screen) -> [u32; 2] {
-        let handle = self.instance.plugin_handle();
+    /// Makes an editor, without a window to be in; whether there is one now.
+    pub(crate) fn create(&mut self) -> bool {
         let how = GuiConfiguration {
             api_type: GuiApiType::X11,
             is_floating: false,
         };
-        self.gui.create(&handle, how).unwrap();
+        self.gui.create(&self.instance.plugin_handle(), how).is_ok()
+    }
+
+    /// Opens the editor in the screen's window; its size in pixels.
+    pub(crate) fn open(&mut self, screen: &Screen) -> [u32; 2] {
+        self.open_scaled(screen, None)
+    }
+
+    /// The same; the host knows how many pixels there are to a point.
+    pub(crate) fn open_scaled(&mut self, screen: &Screen, scale: Option<f64>) -> [u32; 2] {
+        assert!(self.create());
+        let handle = self.instance.plugin_handle();
+        if let Some(scale) = scale {
+            self.gui.set_scale(&handle, scale).unwrap();
+        }
         let size = self.gui.get_size(&handle).unwrap();
         // SAFETY: the screen outlives the editor.
         #[expect(unsafe_code, reason = "a window's handle is a number")]
@@ -214,6 +231,11 @@ impl Host {
         f32::from_bits(self.told.peak.swap(0, Ordering::Relaxed))
     }
 
+    /// Strikes a key with the next block.
+    pub(crate) fn strike(&self, key: u8) {
+        self.told.key.store(key, Ordering::Relaxed);
+    }
+
     /// Blocks that have been played.
     pub(crate) fn blocks(&self) -> u64 {
         self.told.blocks.load(Ordering::Relaxed)
@@ -243,7 +265,12 @@ fn play(
             latency: 0,
             channels: AudioPortBufferType::f32_output_only(channels),
         }]);
-        let events = EventBuffer::new();
+        let mut events = EventBuffer::new();
+        let key = told.key.swap(0, Ordering::Relaxed);
+        if key != 0 {
+            let voice = Pckn::new(0u16, 0u16, u16::from(key), Match::All);
+            events.push(&NoteOnEvent::new(0, voice, 0.8));
+        }
         let mut heard = EventBuffer::new();
         processor
             .process(
