@@ -25,6 +25,7 @@ use super::view::{Sight, View};
 use super::why::{Blow, Leaf, Spectrum, Why, damping};
 use crate::engine::{Settings, contact_s};
 use crate::params::Controls;
+use crate::params::mallet::{HARDNESS, MALLET};
 use crate::shelf::Shelved;
 use egui::{Align2, CornerRadius, Rect, pos2, vec2};
 use modes::Bank;
@@ -269,6 +270,7 @@ impl Ui {
                             position: struck.map_or(settings.strike_position, |s| s.position)
                                 as f32,
                             contact_s,
+                            head: self.head(&settings),
                             partial: leading(&scene),
                         },
                         alone: pointed.number.or(alone),
@@ -285,6 +287,13 @@ impl Ui {
             }
         }
         hint.or(pointed.hint)
+    }
+
+    /// The name of the mallet that is chosen, or how hard it is set.
+    fn head(&self, settings: &Settings) -> String {
+        let named = self.param(MALLET.id).filter(|mallet| mallet.plain() > 0.0);
+        let hardness = || HARDNESS.format(settings.mallet.hardness_pa as f32);
+        named.map_or_else(hardness, |mallet| mallet.text())
     }
 
     /// How long a click touches the body that is shown, in s.
