@@ -120,6 +120,46 @@ fn without_opengl_there_is_no_window_and_the_host_plays_on() {
 }
 
 #[test]
+#[ignore = "needs a screen: tests/window.sh gives it one"]
+fn a_window_in_which_nothing_moves_takes_less_than_a_tenth_of_a_core() {
+    let screen = Screen::open();
+    let mut host = Host::new();
+    let spent = |host: &mut Host| {
+        let (before_s, since) = (cpu_s(), Instant::now());
+        host.pump(Duration::from_secs(3));
+        (cpu_s() - before_s) / since.elapsed().as_secs_f64()
+    };
+    host.pump(Duration::from_secs(1));
+    let without = spent(&mut host);
+    host.open(&screen);
+    host.pump(Duration::from_secs(2));
+    assert!(screen.shoot().colours() > 100, "it is drawn");
+    let with = spent(&mut host);
+    host.close();
+    println!(
+        "{:.1} % of a core without a window, {:.1} % with",
+        1e2 * without,
+        1e2 * with
+    );
+    assert!(
+        with - without < 0.1,
+        "{without} without a window, {with} with"
+    );
+}
+
+/// Time in s that this process has been given so far, on all cores.
+fn cpu_s() -> f64 {
+    let stat = std::fs::read_to_string("/proc/self/stat").unwrap();
+    // Behind the name in brackets; user and system time, in hundredths of a second.
+    let fields = stat.rsplit(')').next().unwrap().split_whitespace();
+    fields
+        .skip(11)
+        .take(2)
+        .map(|ticks| ticks.parse::<f64>().unwrap() / 100.0)
+        .sum()
+}
+
+#[test]
 #[ignore = "needs a screen and a folder: tests/window.sh gives it both"]
 fn a_bank_put_into_the_folder_is_chosen_by_two_clicks_and_goes_into_the_song() {
     let folder = PathBuf::from(std::env::var_os("XDG_DATA_HOME").unwrap());
