@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Opens the editor on screens of its own: plays, resizes and reopens it, leaves it idle, brings it a bank, doubles
-# its pixels, and takes its OpenGL away. Wants Debian's xvfb, libegl1, libgl1-mesa-dri, libx11-xcb1 and libxkbcommon-x11-0. The
-# pictures are in target/tmp: window.png, list.png and fine-*.png.
+# its pixels, and takes its OpenGL away. Wants Debian's xvfb, libegl1, libgl1-mesa-dri, libx11-xcb1 and
+# libxkbcommon-x11-0. The pictures are in target/tmp: window.png, list.png, fine-*.png and plain.png.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 data=$(mktemp -d)

@@ -3,7 +3,8 @@
 use super::link::Link;
 use super::reporter::Reporter;
 use super::saved::{ChosenField, Saved, SavedField};
-use super::window::{Window, Windows};
+use super::window::Window;
+use super::windows::Windows;
 use crate::params::Controls;
 use crate::player::Player;
 use nice_plug::prelude::Params;

@@ -19,6 +19,7 @@ use super::row::{Row, Stage};
 use super::saved::Saved;
 use super::shown::Shown;
 use super::strip::strip;
+use super::taps::Taps;
 use super::theme::{APART, CORNER, NEAR, Theme, small};
 use super::trimming::Trimming;
 use super::view::{Sight, View};
@@ -118,6 +119,7 @@ impl Ui {
         let theme = if dark { Theme::DARK } else { Theme::LIGHT };
         if self.dressed != Some(dark) {
             theme.apply(ui.ctx());
+            ui.ctx().add_plugin(Taps::default());
             self.dressed = Some(dark);
         }
         if self.link.look(&mut self.frame) {

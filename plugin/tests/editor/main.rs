@@ -18,5 +18,4 @@ mod partials;
 mod picture;
 mod portraits;
 mod presets;
-mod raster;
 mod shelves;

@@ -1,6 +1,6 @@
 //! Pictures of at most 256 colours, which are smaller files.
 
-use crate::raster::Pixels;
+use idiophone::editor::Pixels;
 use std::collections::HashMap;
 use std::fs::{self, File};
 use std::io::BufWriter;

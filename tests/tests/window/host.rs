@@ -10,13 +10,11 @@ use clack_extensions::params::{
 use clack_extensions::state::PluginState;
 use clack_extensions::thread_check::{HostThreadCheck, HostThreadCheckImpl};
 use clack_host::entry::{LibraryEntry, PluginEntry};
-use clack_host::events::Match;
-use clack_host::events::event_types::NoteOnEvent;
 use clack_host::prelude::*;
 use clack_host::utils::ClapId;
 use std::ffi::CString;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::thread::{self, JoinHandle, ThreadId};
 use std::time::{Duration, Instant};
 
@@ -94,8 +92,6 @@ impl HostGuiImpl for Shared {
 struct Told {
     stop: AtomicBool,
     blocks: AtomicU64,
-    /// A key to be struck with the next block, or 0.
-    key: AtomicU8,
     /// Greatest sample, as bits.
     peak: AtomicU32,
 }
@@ -231,11 +227,6 @@ impl Host {
         f32::from_bits(self.told.peak.swap(0, Ordering::Relaxed))
     }
 
-    /// Strikes a key with the next block.
-    pub(crate) fn strike(&self, key: u8) {
-        self.told.key.store(key, Ordering::Relaxed);
-    }
-
     /// Blocks that have been played.
     pub(crate) fn blocks(&self) -> u64 {
         self.told.blocks.load(Ordering::Relaxed)
@@ -265,12 +256,7 @@ fn play(
             latency: 0,
             channels: AudioPortBufferType::f32_output_only(channels),
         }]);
-        let mut events = EventBuffer::new();
-        let key = told.key.swap(0, Ordering::Relaxed);
-        if key != 0 {
-            let voice = Pckn::new(0u16, 0u16, u16::from(key), Match::All);
-            events.push(&NoteOnEvent::new(0, voice, 0.8));
-        }
+        let events = EventBuffer::new();
         let mut heard = EventBuffer::new();
         processor
             .process(
