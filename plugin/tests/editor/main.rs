@@ -8,6 +8,7 @@ mod bench;
 mod bodies;
 mod body;
 mod browsing;
+mod focus;
 mod host;
 mod knobs;
 mod looks;
