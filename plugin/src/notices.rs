@@ -13,6 +13,8 @@ pub enum Subject {
     Song,
     /// A bank that was asked for.
     File,
+    /// The window.
+    Window,
 }
 
 /// What a button beside a notice can do about it.

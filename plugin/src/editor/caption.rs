@@ -2,16 +2,15 @@
 
 use super::card::causes;
 use super::figure::Kind;
-use super::ringing::{Ringing, seconds};
+use super::ringing::{Ringing, hertz, seconds};
 use super::shown::Shown;
 use super::theme::{Theme, body, small};
 use crate::engine::Settings;
-use egui::{Align2, Rect, Ui, pos2, vec2};
+use egui::{Align2, Galley, Rect, Ui, pos2, vec2};
+use std::sync::Arc;
 
 /// Height that it takes.
 pub(super) const CAPTION: f32 = 56.0;
-/// Width below which the mallet is left out.
-const WIDE: f32 = 330.0;
 
 /// What it tells of.
 pub(super) struct Told<'a> {
@@ -21,8 +20,10 @@ pub(super) struct Told<'a> {
     pub(super) position: f32,
     /// How long a blow lasts, in s.
     pub(super) contact_s: f64,
-    /// The name and decay of the partial that is told of.
-    pub(super) partial: Option<(String, Ringing)>,
+    /// What the mallet's head is of.
+    pub(super) head: String,
+    /// The decay of the partial that is heard last.
+    pub(super) partial: Option<Ringing>,
 }
 
 /// Writes three lines at the top of `area`.
@@ -30,27 +31,33 @@ pub(super) fn caption(ui: &Ui, area: Rect, kind: Kind, told: &Told<'_>, theme: &
     let painter = ui.painter().with_clip_rect(area);
     let at = area.left_top() + vec2(2.0, 0.0);
     painter.text(at, Align2::LEFT_TOP, told.shown.title(), body(), theme.text);
-    let mallet = &told.settings.mallet;
-    let mut where_ = format!("struck {}", place(kind, told.position));
-    if area.width() > WIDE {
-        where_ += &format!(
-            " by {:.0} g, touching for {:.2} ms",
-            1e3 * mallet.mass_kg,
-            1e3 * told.contact_s
+    let fits = |galley: &Arc<Galley>| at.x + galley.size().x <= area.right();
+    let blows = blows(kind, told).map(|text| painter.layout_no_wrap(text, small(), theme.quiet));
+    let [.., shortest] = &blows;
+    let blow = blows.iter().find(|blow| fits(blow)).unwrap_or(shortest);
+    painter.galley(at + vec2(0.0, 18.0), Arc::clone(blow), theme.quiet);
+    if let Some(ringing) = &told.partial {
+        let head = format!(
+            "rings {} at {}",
+            seconds(ringing.t60_s()),
+            hertz(ringing.hz)
         );
-    }
-    painter.text(
-        at + vec2(0.0, 18.0),
-        Align2::LEFT_TOP,
-        where_,
-        small(),
-        theme.quiet,
-    );
-    if let Some((name, ringing)) = &told.partial {
-        let head = format!("{name} rings {}", seconds(ringing.t60_s()));
         let line = Rect::from_min_max(at + vec2(0.0, 33.0), pos2(area.right(), at.y + CAPTION));
         causes(ui, line, &head, ringing, theme);
     }
+}
+
+/// Where it was struck, with what and for how long; then the same in ever fewer words.
+fn blows(kind: Kind, told: &Told<'_>) -> [String; 3] {
+    let place = format!("struck {}", place(kind, told.position));
+    let mass_g = 1e3 * told.settings.mallet.mass_kg;
+    let contact_ms = 1e3 * told.contact_s;
+    let head = &told.head;
+    [
+        format!("{place} by a mallet of {mass_g:.0} g ({head}) for {contact_ms:.2} ms"),
+        format!("{place} by {mass_g:.0} g ({head})"),
+        place,
+    ]
 }
 
 /// A place 0…1 on the strike line in words.

@@ -3,7 +3,8 @@
 use super::link::Link;
 use super::reporter::Reporter;
 use super::saved::{ChosenField, Saved, SavedField};
-use super::window::{Window, Windows};
+use super::window::Window;
+use super::windows::Windows;
 use crate::params::Controls;
 use crate::player::Player;
 use nice_plug::prelude::Params;
@@ -73,8 +74,12 @@ impl Desk {
 #[cfg(test)]
 mod tests {
     use super::Desk;
-    use crate::editor::Chosen;
+    use crate::editor::{Chosen, Touch};
     use crate::params::heal;
+    use crate::player::Player;
+    use crate::stage::Stage;
+    use crate::tuner::Tuner;
+    use modes::tuning::Tuning;
     use nice_plug::prelude::PluginState;
     use std::collections::BTreeMap;
     use std::sync::Arc;
@@ -100,5 +105,29 @@ mod tests {
         assert_eq!(desk.saved.chosen(), Chosen::default());
         params.deserialize_fields(&fields);
         assert_eq!(desk.saved.chosen(), old);
+    }
+
+    #[test]
+    fn a_click_sounds_with_the_first_samples_of_the_next_block() {
+        let (desk, controls) = (Desk::default(), Arc::default());
+        let stage = Stage::new(0, crate::factory::bank(0), 48e3);
+        let tuner = Tuner::new(Tuning::default(), None);
+        let mut player = Player::new(stage, tuner, controls, 48e3);
+        let mut block = || {
+            let (mut left, mut right) = ([0.0f32; 64], [0.0f32; 64]);
+            desk.play(&mut player);
+            player.stage().process(&mut left, &mut right);
+            left.iter().position(|x| *x != 0.0)
+        };
+        assert_eq!(block(), None);
+        desk.link.touch(Touch::Strike {
+            key: 60,
+            velocity: 0.8,
+            position: 0.5,
+            across: 0.0,
+        });
+        // Before the mallet has pressed for a sample nothing moves.
+        let onset = block();
+        assert!(onset.is_some_and(|frame| frame < 4), "{onset:?}");
     }
 }

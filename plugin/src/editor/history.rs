@@ -2,7 +2,7 @@
 
 use super::chosen::Chosen;
 use super::log::Change;
-use crate::presets::Scala;
+use crate::presets::{Scala, TrimList};
 
 /// Steps that are kept.
 const MOST: usize = 500;
@@ -19,6 +19,7 @@ pub(super) struct Step {
     pub(super) name: String,
     pub(super) changes: Vec<Change>,
     pub(super) scala: Option<Turn<Scala>>,
+    pub(super) trims: Option<Turn<TrimList>>,
     pub(super) chosen: Option<Turn<Chosen>>,
     /// Which side of the comparison was heard.
     pub(super) side: Option<Turn<usize>>,
@@ -42,6 +43,7 @@ pub(super) struct Side {
     /// Parameters' places 0…1 by id.
     pub(super) values: Vec<(&'static str, f32)>,
     pub(super) scala: Scala,
+    pub(super) trims: TrimList,
     pub(super) chosen: Chosen,
 }
 
@@ -83,6 +85,23 @@ impl History {
         }
         self.last_s = Some(now_s);
         self.played = played;
+    }
+
+    /// Modes were trimmed at a time, in s.
+    pub(super) fn trim(&mut self, trims: Turn<TrimList>, name: &str, now_s: f64) {
+        let soon = self.last_s.is_some_and(|last_s| now_s - last_s < SOON_S);
+        let all_done = self.done == self.steps.len();
+        let last = self.steps.last_mut().filter(|_| all_done && soon);
+        let [from, to] = trims;
+        match last.map(|step| (&step.name, &mut step.trims)) {
+            Some((last, Some([_, end]))) if last == name => *end = to,
+            _ => self.push(Step {
+                name: name.to_owned(),
+                trims: Some([from, to]),
+                ..Step::default()
+            }),
+        }
+        self.last_s = Some(now_s);
     }
 
     /// The step that undoing would undo.
@@ -153,6 +172,30 @@ mod tests {
         history.undo();
         let step = history.undo().unwrap();
         assert_eq!((step.changes[0].from, step.changes.len()), (0.0, 1));
+        assert_eq!(history.undo(), None);
+    }
+
+    #[test]
+    fn trims_of_one_mode_that_follow_at_once_are_a_step() {
+        let label = modes::ModeLabel {
+            family: modes::Family::Other,
+            order: 0,
+            index: 1,
+            member: modes::Member::Single,
+        };
+        let list = |level_db: f32| {
+            let ringing = 1.0;
+            vec![(label, crate::engine::Trim { level_db, ringing })]
+        };
+        let mut history = History::default();
+        history.trim([Vec::new(), list(-1.0)], "mode 1", 1.0);
+        history.trim([list(-1.0), list(-2.0)], "mode 1", 1.2);
+        history.trim([list(-2.0), list(-3.0)], "mode 2", 1.3);
+        history.trim([list(-3.0), list(-4.0)], "mode 2", 9.0);
+        let turn = |step: Option<Step>| step.unwrap().trims.unwrap();
+        assert_eq!(turn(history.undo()), [list(-3.0), list(-4.0)]);
+        assert_eq!(turn(history.undo()), [list(-2.0), list(-3.0)]);
+        assert_eq!(turn(history.undo()), [Vec::new(), list(-2.0)]);
         assert_eq!(history.undo(), None);
     }
 

@@ -2,6 +2,7 @@
 //!
 //! [`Ui`] draws and plays without a window; [`Link`] joins it to the audio thread without locks.
 
+mod app;
 mod axis;
 mod caption;
 mod card;
@@ -11,6 +12,7 @@ mod desk;
 mod figure;
 mod frame;
 mod grid;
+mod handle;
 mod hands;
 mod header;
 mod history;
@@ -28,8 +30,10 @@ mod pages;
 mod paint_body;
 mod param;
 mod places;
+mod plain;
 mod plot;
 mod presets;
+mod raster;
 mod reporter;
 mod ringing;
 mod row;
@@ -39,6 +43,7 @@ mod shown;
 mod solid;
 mod strip;
 mod tabs;
+mod taps;
 mod theme;
 mod trimming;
 mod typing;
@@ -46,13 +51,16 @@ mod ui;
 mod view;
 mod why;
 mod window;
+mod windows;
 
 pub use chosen::Chosen;
 pub(crate) use desk::Desk;
 pub use figure::{Figure, Kind, lay_out};
 pub use frame::{Frame, MOST_MODES};
+pub use handle::Handle;
 pub use instruments::Instruments;
 pub use link::{Link, Touch};
+pub use raster::{Pixels, Raster};
 pub use ringing::Ringing;
 pub use saved::{LEAST_SIZE, Saved, USUAL_SIZE};
 pub use solid::{Drawing, Solid, Vector};

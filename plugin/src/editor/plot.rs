@@ -7,7 +7,7 @@ use super::grid::{FLOOR_DB, Halves, grid};
 use super::ringing::{Ringing, hertz};
 use super::shown::Shown;
 use super::theme::{Cause, Theme, small};
-use super::trimming::{Grasp, Scales, Trimming, all_back, words};
+use super::trimming::{Grasp, Scales, Trimming, words};
 use crate::engine::{Settings, Trim};
 use crate::params::TrimTable;
 use egui::{
@@ -97,7 +97,7 @@ pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>, trimming: &mut Tr
         let on = pointed.is_some_and(|on| on.number == line.number);
         draw(painter, scene, line, &halves, &t60, on);
     }
-    let taken = all_back(ui, header, scene.trims, scene.theme);
+    let taken = trimming.all_back(ui, header, scene.trims, scene.theme);
     let header = header.with_max_x(header.right() - taken);
     describe(ui, header, scene, pointed.or_else(|| first_told(&lines)));
     response.on_hover_cursor(CursorIcon::ResizeVertical);
@@ -119,12 +119,11 @@ fn describe(ui: &Ui, header: Rect, scene: &Scene<'_>, told: Option<&Line>) {
     }
 }
 
-/// The name and decay of the partial that is to be told of first.
-pub(super) fn leading(scene: &Scene<'_>) -> Option<(String, Ringing)> {
+/// The decay of the partial that is to be told of first.
+pub(super) fn leading(scene: &Scene<'_>) -> Option<Ringing> {
     let everywhere = Axis::log([1.0, 1e6], Rangef::new(0.0, 1.0));
     let lines = lines(scene, &everywhere);
-    let line = first_told(&lines)?;
-    Some((line.label.to_string(), line.ringing))
+    first_told(&lines).map(|line| line.ringing)
 }
 
 fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
@@ -178,15 +177,17 @@ fn nearest(lines: &[Line], x: f32) -> Option<&Line> {
     near.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
 
-/// The partial that is heard alone, or else the one of which most is heard: loud after a blow, and for
-/// long.
+/// The partial that is heard alone, or else the one that is heard last after a blow: it says how long the
+/// whole rings, and why.
 fn first_told(lines: &[Line]) -> Option<&Line> {
     let heard = lines.iter().filter(|line| !line.mute);
-    let cost = |line: &Line| {
-        let rings_s = line.ringing.t60_s().min(LONGEST_S);
-        line.set_db - 20.0 * rings_s.log10() as f32
-    };
-    heard.min_by(|a, b| cost(a).total_cmp(&cost(b)))
+    let until_s = |line: &Line| over_s(line.set_db, line.ringing.t60_s());
+    heard.max_by(|a, b| until_s(a).total_cmp(&until_s(b)))
+}
+
+/// When in s a partial, so many dB below the loudest after a blow, is 60 dB below that.
+fn over_s(set_db: f32, t60_s: f64) -> f64 {
+    (1.0 - f64::from(set_db) / 60.0) * t60_s.min(LONGEST_S)
 }
 
 fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60: &Axis, on: bool) {
@@ -232,5 +233,18 @@ fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60:
         };
         let at = pos2(x + if right { -5.0 } else { 5.0 }, up.top() + 2.0);
         painter.text(at, anchor, hertz(line.ringing.hz), small(), theme.text);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::over_s;
+
+    #[test]
+    fn what_is_faint_or_short_is_over_early() {
+        assert_eq!(over_s(0.0, 6.0), 6.0);
+        assert_eq!(over_s(30.0, 6.0), 3.0);
+        assert!(over_s(0.0, 1.0) < over_s(45.0, 30.0));
+        assert!(over_s(70.0, f64::INFINITY) < 0.0);
     }
 }

@@ -89,11 +89,15 @@ impl Shown {
                 Kind::Bowl => "across",
                 Kind::Bar | Kind::Tube => "long",
             };
+            let mass = if body.mass_kg < 1.0 {
+                format!("{:.0} g", 1e3 * body.mass_kg)
+            } else {
+                format!("{:.2} kg", body.mass_kg)
+            };
             format!(
-                "{}: a {} {size} {across}, {:.0} g",
+                "{}: a {} {size} {across}, {mass}",
                 key_name(self.key),
-                Kind::of(body).name(),
-                1e3 * body.mass_kg
+                Kind::of(body).name()
             )
         })
     }

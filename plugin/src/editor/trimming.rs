@@ -1,9 +1,11 @@
 //! Partials taken by hand: one alone, louder or softer, longer or shorter.
 
+use super::history::Turn;
 use super::plot::Line;
 use super::theme::{SIDE, Theme, small};
 use crate::engine::{Trim, Trims};
 use crate::params::TrimTable;
+use crate::presets::TrimList;
 use egui::{
     CursorIcon, EventFilter, Id, Key, Modifiers, PointerButton, Rect, Response, Role, Sense, Ui,
     WidgetInfo, pos2,
@@ -28,9 +30,19 @@ pub(super) enum Grasp {
 /// What the hands remember.
 #[derive(Default)]
 pub(super) struct Trimming {
-    held: Option<(ModeLabel, Grasp)>,
+    held: Option<Held>,
     /// The partial that keys act on.
     chosen: Option<ModeLabel>,
+    /// Which modes have been trimmed, and the lists before and after.
+    ended: Vec<(String, Turn<TrimList>)>,
+}
+
+/// A partial that is held.
+struct Held {
+    label: ModeLabel,
+    grasp: Grasp,
+    /// What was trimmed when it was taken.
+    before: TrimList,
 }
 
 /// How the plot is laid out, for movements to follow the pointer.
@@ -44,7 +56,27 @@ pub(super) struct Scales {
 impl Trimming {
     /// The partial that is held, or that keys act on.
     pub(super) fn told(&self) -> Option<ModeLabel> {
-        self.held.map(|(label, _)| label).or(self.chosen)
+        self.held.as_ref().map(|held| held.label).or(self.chosen)
+    }
+
+    /// The trims that have been made since it was last asked.
+    pub(super) fn ended(&mut self) -> Vec<(String, Turn<TrimList>)> {
+        std::mem::take(&mut self.ended)
+    }
+
+    /// Something has been trimmed, if it has.
+    fn end(&mut self, name: String, before: TrimList, table: &TrimTable) {
+        let after = table.list();
+        if before != after {
+            self.ended.push((name, [before, after]));
+        }
+    }
+
+    /// Trims a partial, in a step of its own.
+    fn step(&mut self, table: &TrimTable, label: ModeLabel, trim: Trim) {
+        let before = table.list();
+        set(table, label, trim);
+        self.end(label.to_string(), before, table);
     }
 
     /// Does what pointer and keys ask for; `pointed` is the partial under the pointer and the half that
@@ -74,46 +106,31 @@ impl Trimming {
         if response.clicked_by(PointerButton::Secondary)
             && let Some((label, _)) = pointed
         {
-            set(table, label, Trim::NONE);
+            self.step(table, label, Trim::NONE);
         }
         if response.drag_started_by(PointerButton::Primary) {
             response.request_focus();
             self.held = pointed.map(|(label, grasp)| {
                 let other = modifiers.command || modifiers.alt;
-                (label, if other { Grasp::Ringing } else { grasp })
+                Held {
+                    label,
+                    grasp: if other { Grasp::Ringing } else { grasp },
+                    before: table.list(),
+                }
             });
         }
-        if let Some((label, grasp)) = self.held {
-            if response.dragged() {
-                self.drag(response, modifiers, (label, grasp), scales, table);
-            } else {
-                self.held = None;
+        if response.dragged() {
+            if let Some(held) = &self.held {
+                drag(response, modifiers, held, scales, table);
             }
+        } else if let Some(Held { label, before, .. }) = self.held.take() {
+            self.end(label.to_string(), before, table);
         }
         if response.has_focus() {
             self.keys(ui, response, lines, table);
         } else {
             self.chosen = None;
         }
-    }
-
-    fn drag(
-        &self,
-        response: &Response,
-        modifiers: Modifiers,
-        (label, grasp): (ModeLabel, Grasp),
-        scales: &Scales,
-        table: &TrimTable,
-    ) {
-        let fine = if modifiers.shift { FINE } else { 1.0 };
-        let by = response.drag_delta();
-        let mut trim = table.get().get(&label);
-        match grasp {
-            Grasp::Level => trim.level_db -= fine * scales.db * by.y,
-            // Down is longer, and so is right.
-            Grasp::Ringing => trim.ringing *= (fine * scales.folds * (by.y + by.x)).exp(),
-        }
-        set(table, label, trim);
     }
 
     fn keys(&mut self, ui: &Ui, response: &Response, lines: &[Line], table: &TrimTable) {
@@ -151,8 +168,63 @@ impl Trimming {
         if pressed(Key::Delete) || pressed(Key::Backspace) {
             trim = Trim::NONE;
         }
-        set(table, label, trim);
+        if trim != table.get().get(&label) {
+            self.step(table, label, trim);
+        }
     }
+
+    /// How many modes are trimmed, at the right end of `line`; a click puts all back. The width that it takes.
+    pub(super) fn all_back(
+        &mut self,
+        ui: &Ui,
+        line: Rect,
+        table: &TrimTable,
+        theme: &Theme,
+    ) -> f32 {
+        let count = table.get().all().count();
+        if count == 0 {
+            return 0.0;
+        }
+        let text = format!("{count} trimmed: reset");
+        let galley = |colour| ui.painter().layout_no_wrap(text.clone(), small(), colour);
+        let size = galley(theme.quiet).size();
+        let rect = Rect::from_min_size(
+            pos2(line.right() - size.x - 2.0, line.top() + 8.0 - 0.5 * size.y),
+            size,
+        );
+        let response = ui.interact(rect.expand(3.0), Id::unique("untrim"), Sense::click());
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Reset all trims"));
+        if response.clicked() {
+            let before = table.list();
+            table.set_list(&[]);
+            self.end("Reset trims".to_owned(), before, table);
+        }
+        let lit = response.hovered() || response.has_focus();
+        let colour = if lit { theme.text } else { theme.glow };
+        ui.painter().galley(rect.min, galley(colour), colour);
+        response
+            .on_hover_cursor(CursorIcon::PointingHand)
+            .on_hover_text("Every partial as loud and as long as it was built");
+        size.x + SIDE
+    }
+}
+
+fn drag(
+    response: &Response,
+    modifiers: Modifiers,
+    held: &Held,
+    scales: &Scales,
+    table: &TrimTable,
+) {
+    let fine = if modifiers.shift { FINE } else { 1.0 };
+    let by = response.drag_delta();
+    let mut trim = table.get().get(&held.label);
+    match held.grasp {
+        Grasp::Level => trim.level_db -= fine * scales.db * by.y,
+        // Down is longer, and so is right.
+        Grasp::Ringing => trim.ringing *= (fine * scales.folds * (by.y + by.x)).exp(),
+    }
+    set(table, held.label, trim);
 }
 
 /// One partial alone, or all again if it is.
@@ -178,35 +250,4 @@ pub(super) fn words(trim: &Trim) -> String {
         words.push(format!("{:.2}× as long", trim.ringing));
     }
     words.join(", ")
-}
-
-/// How many modes are trimmed, at the right end of `line`; a click puts all back. The width that it takes.
-pub(super) fn all_back(ui: &Ui, line: Rect, table: &TrimTable, theme: &Theme) -> f32 {
-    let count = table.get().all().count();
-    if count == 0 {
-        return 0.0;
-    }
-    let text = format!("{count} trimmed: reset");
-    let galley = |colour| ui.painter().layout_no_wrap(text.clone(), small(), colour);
-    let size = galley(theme.quiet).size();
-    let rect = Rect::from_min_size(
-        pos2(line.right() - size.x - 2.0, line.top() + 8.0 - 0.5 * size.y),
-        size,
-    );
-    let response = ui.interact(rect.expand(3.0), Id::unique("untrim"), Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Reset all trims"));
-    if response.clicked() {
-        table.change(|trims| {
-            let solo = trims.solo();
-            *trims = Trims::NONE;
-            trims.set_solo(solo);
-        });
-    }
-    let lit = response.hovered() || response.has_focus();
-    let colour = if lit { theme.text } else { theme.glow };
-    ui.painter().galley(rect.min, galley(colour), colour);
-    response
-        .on_hover_cursor(CursorIcon::PointingHand)
-        .on_hover_text("Every partial as loud and as long as it was built");
-    size.x + SIDE
 }

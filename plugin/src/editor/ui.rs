@@ -19,12 +19,14 @@ use super::row::{Row, Stage};
 use super::saved::Saved;
 use super::shown::Shown;
 use super::strip::strip;
+use super::taps::Taps;
 use super::theme::{APART, CORNER, NEAR, Theme, small};
 use super::trimming::Trimming;
 use super::view::{Sight, View};
 use super::why::{Blow, Leaf, Spectrum, Why, damping};
 use crate::engine::{Settings, contact_s};
 use crate::params::Controls;
+use crate::params::mallet::{HARDNESS, MALLET};
 use crate::shelf::Shelved;
 use egui::{Align2, CornerRadius, Rect, pos2, vec2};
 use modes::Bank;
@@ -117,6 +119,7 @@ impl Ui {
         let theme = if dark { Theme::DARK } else { Theme::LIGHT };
         if self.dressed != Some(dark) {
             theme.apply(ui.ctx());
+            ui.ctx().add_plugin(Taps::default());
             self.dressed = Some(dark);
         }
         if self.link.look(&mut self.frame) {
@@ -168,6 +171,7 @@ impl Ui {
         let row_hint = self.play(ui, places.row, index, &theme, setter);
         let body_hint = self.middle(ui, &places, index, &theme, setter);
         self.session.listen(now_s, true);
+        self.session.trimmed(self.trimming.ended(), now_s);
         let hint = row_hint.or(body_hint);
         self.pages.show(
             ui,
@@ -268,6 +272,7 @@ impl Ui {
                             position: struck.map_or(settings.strike_position, |s| s.position)
                                 as f32,
                             contact_s,
+                            head: self.head(&settings),
                             partial: leading(&scene),
                         },
                         alone: pointed.number.or(alone),
@@ -284,6 +289,13 @@ impl Ui {
             }
         }
         hint.or(pointed.hint)
+    }
+
+    /// The name of the mallet that is chosen, or how hard it is set.
+    fn head(&self, settings: &Settings) -> String {
+        let named = self.param(MALLET.id).filter(|mallet| mallet.plain() > 0.0);
+        let hardness = || HARDNESS.format(settings.mallet.hardness_pa as f32);
+        named.map_or_else(hardness, |mallet| mallet.text())
     }
 
     /// How long a click touches the body that is shown, in s.

@@ -1,56 +1,29 @@
 //! The window in a host.
 
+use super::app::App;
+use super::handle::Handle;
 use super::link::Link;
+use super::plain::{Plain, Wanted};
 use super::saved::{LEAST_SIZE, Saved};
 use super::ui::Ui;
+use super::windows::Windows;
+use crate::notices::{Notice, Subject};
 use crate::params::Controls;
-use egui::ViewportCommand;
 use nice_plug::context::gui::GuiContext;
 use nice_plug::editor::dpi::{LogicalSize, NativeSize, Size};
 use nice_plug::editor::{
     Editor, HostMethods, ParentWindowHandle, ResizeHint, SizeConstraints, SpawnedEditor,
 };
-use nice_plug_egui::baseview::{HandlerError, WindowSize};
-use nice_plug_egui::{
-    EguiEditorHandle, EguiEditorState, EguiNiceSettings, NiceEguiApp, RepaintNotifier,
-    create_egui_editor,
-};
+use nice_plug_egui::{EguiEditorState, EguiNiceSettings, create_egui_editor};
 use std::error::Error;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
 
-/// Frames within which a host may give a new window the size that it asks for.
-const SETTLING: u32 = 30;
-
-/// What is known of an instance's windows.
-pub(crate) struct Windows {
-    open: AtomicUsize,
-    notifier: RepaintNotifier,
-    /// Pixels to a point when a window was last seen.
-    scale: AtomicU32,
-}
-
-impl Default for Windows {
-    fn default() -> Self {
-        Self {
-            open: AtomicUsize::new(0),
-            notifier: RepaintNotifier::new(),
-            scale: AtomicU32::new(1f32.to_bits()),
-        }
-    }
-}
-
-impl Windows {
-    /// Whether there is any.
-    pub(crate) fn is_open(&self) -> bool {
-        self.open.load(Ordering::Relaxed) != 0
-    }
-
-    /// There is something new to draw; for any thread.
-    pub(crate) fn repaint(&self) {
-        self.notifier.request_repaint();
-    }
-}
+/// What a window without OpenGL says, and what brings it.
+const NO_OPENGL: &str = if cfg!(target_os = "linux") {
+    "There is no OpenGL, so that this window is drawn slowly; libegl1 and libgl1-mesa-dri bring it."
+} else {
+    "There is no OpenGL, so that this window is drawn slowly; the graphics card's driver brings it."
+};
 
 /// Opens windows, each anew: what one remembers beyond [`Saved`] ends with it.
 pub struct Window {
@@ -79,6 +52,30 @@ impl Window {
         let [width, height] = self.saved.size().map(f64::from);
         Size::Logical(LogicalSize::new(width, height))
     }
+
+    fn app(&self, context: GuiContext) -> App {
+        let mut ui = Ui::new(
+            Arc::clone(&self.controls),
+            Arc::clone(&self.saved),
+            Arc::clone(&self.link),
+        );
+        let windows = Arc::clone(&self.windows);
+        ui.instruments().watch(move || windows.repaint());
+        App::new(ui, Arc::clone(&self.saved), &self.windows, context)
+    }
+
+    /// What is to be known of a window without OpenGL.
+    fn tell(&self, opengl: bool) {
+        let notices = self.controls.notices();
+        notices.clear(Subject::Window);
+        if !opengl {
+            notices.post(Notice {
+                subject: Subject::Window,
+                text: NO_OPENGL.to_owned(),
+                cure: None,
+            });
+        }
+    }
 }
 
 fn hint() -> ResizeHint {
@@ -96,7 +93,7 @@ fn hint() -> ResizeHint {
 }
 
 impl Editor for Window {
-    type Handle = EguiEditorHandle;
+    type Handle = Handle;
 
     fn spawn(
         &self,
@@ -106,113 +103,48 @@ impl Editor for Window {
         gui_context: GuiContext,
         host: Option<HostMethods>,
     ) -> Result<SpawnedEditor<Self::Handle>, Box<dyn Error>> {
-        let mut ui = Ui::new(
-            Arc::clone(&self.controls),
-            Arc::clone(&self.saved),
-            Arc::clone(&self.link),
-        );
-        let windows = Arc::clone(&self.windows);
-        ui.instruments().watch(move || windows.repaint());
-        let app = App {
-            ui,
-            saved: Arc::clone(&self.saved),
-            wanted: self.saved.size(),
-            frames: 0,
-            context: None,
-            open: Open::new(Arc::clone(&self.windows)),
-        };
-        create_egui_editor(
+        let opengl = create_egui_editor(
             EguiEditorState::from_size(self.logical(), 1.0),
-            self.windows.notifier.clone(),
+            self.windows.notifier(),
             EguiNiceSettings::new()
                 .with_tile("Idiophone")
                 .with_resize_hint(hint()),
-            app,
+            self.app(gui_context.clone()),
         )
         .ok_or("no editor")?
         .spawn(
             parent,
             wait_for_parent,
             fallback_scale_factor,
-            gui_context,
+            gui_context.clone(),
             host,
-        )
+        );
+        self.tell(opengl.is_ok());
+        let (handle, window) = match opengl {
+            Ok(editor) => (Some(editor.handle), editor.window),
+            Err(error) => {
+                nice_plug::nice_warn!("{NO_OPENGL} ({error})");
+                let wanted = Wanted {
+                    parent,
+                    wait_for_parent,
+                    scale: fallback_scale_factor,
+                    size: self.logical(),
+                };
+                let app = self.app(gui_context);
+                (None, Plain::open(wanted, app, &self.windows)?)
+            }
+        };
+        Ok(SpawnedEditor {
+            handle: Handle::new(&self.windows, hint(), handle),
+            window,
+        })
     }
 
     fn size(&self) -> NativeSize<u32> {
-        let scale = f32::from_bits(self.windows.scale.load(Ordering::Relaxed));
-        NativeSize::from_size(self.logical(), f64::from(scale))
+        NativeSize::from_size(self.logical(), self.windows.scale())
     }
 
     fn resize_hint(&self) -> ResizeHint {
         hint()
-    }
-}
-
-/// Counts a window for as long as it is there.
-struct Open(Arc<Windows>);
-
-impl Open {
-    fn new(windows: Arc<Windows>) -> Self {
-        windows.open.fetch_add(1, Ordering::Relaxed);
-        Self(windows)
-    }
-}
-
-impl Drop for Open {
-    fn drop(&mut self) {
-        self.0.open.fetch_sub(1, Ordering::Relaxed);
-    }
-}
-
-/// One window.
-struct App {
-    ui: Ui,
-    saved: Arc<Saved>,
-    /// Size in points that the window is to open with.
-    wanted: [f32; 2],
-    frames: u32,
-    context: Option<GuiContext>,
-    open: Open,
-}
-
-impl NiceEguiApp for App {
-    fn build(
-        &mut self,
-        _egui_ctx: egui::Context,
-        context: GuiContext,
-        _frame: &mut nice_plug_egui::Frame,
-    ) -> Result<(), HandlerError> {
-        self.context = Some(context);
-        self.ui.undress();
-        Ok(())
-    }
-
-    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut nice_plug_egui::Frame) {
-        let Some(context) = &self.context else {
-            return;
-        };
-        self.ui.show(ui, &context.param_setter());
-        // Hosts that asked for the size before the screen's scale was known have made the window too
-        // small.
-        if self.frames < SETTLING {
-            self.frames += 1;
-            let size = ui.ctx().content_rect().size();
-            let [width, height] = self.wanted;
-            if self.frames == 2 && (size.x + 1.0 < width || size.y + 1.0 < height) {
-                let wanted = ViewportCommand::InnerSize(egui::vec2(width, height));
-                ui.ctx().send_viewport_cmd(wanted);
-            }
-            ui.ctx().request_repaint();
-        }
-    }
-
-    fn resized(&mut self, size: WindowSize) {
-        let scale = size.scale_factor as f32;
-        self.open.0.scale.store(scale.to_bits(), Ordering::Relaxed);
-        if self.frames >= SETTLING {
-            let LogicalSize { width, height } = size.logical;
-            self.saved.set_size([width as f32, height as f32]);
-        }
     }
 }

@@ -91,6 +91,16 @@ impl Trims {
         }
     };
 
+    /// The table of some modes; of more than [`MOST_TRIMS`] the first ones.
+    #[must_use]
+    pub fn of(trims: &[(ModeLabel, Trim)]) -> Self {
+        let mut table = Self::NONE;
+        for (label, trim) in trims {
+            let _ = table.set(label, *trim);
+        }
+        table
+    }
+
     fn known(&self) -> &[(u64, ModeLabel, Trim)] {
         &self.entries[..self.count]
     }
@@ -186,6 +196,8 @@ mod tests {
         }
         assert_eq!(trims.all().count(), MOST_TRIMS);
         assert!(!trims.set(&bending(300), louder(-1.0)));
+        let all: Vec<_> = trims.all().collect();
+        assert_eq!(Trims::of(&all), trims);
         for (label, _) in trims.clone().all() {
             assert!(trims.set(&label, Trim::NONE));
         }

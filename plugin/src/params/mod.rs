@@ -23,4 +23,5 @@ mod trims;
 pub use controls::Controls;
 pub use spec::{GROUPS, Group, Spec, specs};
 pub use state::heal;
+pub(crate) use text::Text;
 pub use trims::{TrimField, TrimTable};

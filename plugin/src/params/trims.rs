@@ -48,6 +48,21 @@ impl TrimTable {
         self.set(trims);
     }
 
+    /// The modes that are not as built.
+    #[must_use]
+    pub fn list(&self) -> Vec<(ModeLabel, Trim)> {
+        self.get().all().collect()
+    }
+
+    /// Has these modes trimmed and no others; which is alone stays.
+    pub fn set_list(&self, list: &[(ModeLabel, Trim)]) {
+        self.change(|trims| {
+            let solo = trims.solo();
+            *trims = Trims::of(list);
+            trims.set_solo(solo);
+        });
+    }
+
     /// The table if it has changed since last asked. For the audio thread: neither allocates nor waits.
     pub(crate) fn fetch(&self) -> Option<Trims> {
         self.news.pop()
@@ -66,12 +81,13 @@ pub struct TrimField(pub(crate) Arc<TrimTable>);
 
 impl PersistentField<'_, Words> for TrimField {
     fn set(&self, words: Words) {
-        let mut trims = Trims::NONE;
-        for (label, level_db, ringing) in words {
-            // What is beyond the table was not made by it.
-            let _ = trims.set(&label, Trim { level_db, ringing });
-        }
-        self.0.set(trims);
+        // Modes are counted from 1.
+        let words = words.into_iter().filter(|(label, _, _)| label.index > 0);
+        let trims: Vec<_> = words
+            .map(|(label, level_db, ringing)| (label, Trim { level_db, ringing }))
+            .collect();
+        // What is beyond the table was not made by it.
+        self.0.set(Trims::of(&trims));
     }
 
     fn map<F, R>(&self, f: F) -> R

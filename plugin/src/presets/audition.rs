@@ -2,7 +2,7 @@
 
 use super::preset::Preset;
 use crate::Idiophone;
-use crate::engine::GRID;
+use crate::engine::{GRID, Trims};
 use crate::factory;
 use crate::params::{Controls, body::INSTRUMENT, output::LIMITER};
 use crate::player::Player;
@@ -67,6 +67,7 @@ fn player(preset: &Preset, rate_hz: f64) -> Player {
     let texts = controls.tuning();
     texts.set_scale(preset.sound.scala.scale.clone());
     texts.set_keyboard(preset.sound.scala.keyboard.clone());
+    let trims = Trims::of(&preset.sound.trims);
     let tuner = Tuner::new(texts.tuning(), None);
     let index = preset
         .sound
@@ -76,7 +77,8 @@ fn player(preset: &Preset, rate_hz: f64) -> Player {
         clippy::cast_sign_loss,
         reason = "a number of an instrument is none below 0"
     )]
-    let stage = Stage::new(index as usize, factory::bank(index as usize), rate_hz);
+    let mut stage = Stage::new(index as usize, factory::bank(index as usize), rate_hz);
+    stage.trim(&trims);
     Player::new(stage, tuner, controls, rate_hz)
 }
 
@@ -185,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn size_and_tuning_are_those_of_the_preset() {
+    fn size_tuning_and_trims_are_those_of_the_preset() {
         let play = |text: &str| {
             let preset = Preset::read(text, "a").unwrap();
             let note = Note {
@@ -200,5 +202,7 @@ mod tests {
         assert_ne!(plain, play("name = \"A\"\n[sound]\nsize = \"2 x\"\n"));
         let tuned = "name = \"A\"\n[sound]\n[tuning]\nscale = '''\nfive\n1\n240.0\n'''\n";
         assert_ne!(plain, play(tuned));
+        let softer = "name = \"A\"\n[sound]\n[trims]\n\"bending 1 a\" = { level = \"-9 dB\" }\n";
+        assert_ne!(plain, play(softer));
     }
 }

@@ -10,10 +10,12 @@ mod files;
 mod folder;
 mod library;
 mod line;
+mod mode_name;
 mod preset;
 mod read;
 mod search;
 mod sound;
+mod trim;
 mod write;
 
 pub use audition::{Note, audition};
@@ -26,3 +28,4 @@ pub use library::Library;
 pub use preset::{FORMAT, Notice, Preset};
 pub use search::{Kind, Search};
 pub use sound::{Scala, Sound};
+pub use trim::TrimList;

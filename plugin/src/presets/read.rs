@@ -5,6 +5,7 @@ use super::card::Card;
 use super::line::line;
 use super::preset::{FORMAT, Notice, Preset};
 use super::sound::{Scala, Sound};
+use super::trim::{self, TrimList};
 use crate::params::specs;
 use toml_edit::{Document, Item, TableLike, TomlError};
 
@@ -31,9 +32,14 @@ impl Preset {
         };
         let values = reader.values(table, &mut notices, &mut unread);
         let scala = reader.scala(root)?;
+        let trims = reader.trims(root, &mut notices)?;
         Ok(Self {
             card,
-            sound: Sound { values, scala },
+            sound: Sound {
+                values,
+                scala,
+                trims,
+            },
             notices,
             unread,
             document: document.into_mut(),
@@ -162,6 +168,21 @@ impl Reader<'_> {
         values
     }
 
+    fn trims(&self, root: &dyn TableLike, notices: &mut Vec<Notice>) -> Result<TrimList, Broken> {
+        let Some(item) = root.get("trims") else {
+            return Ok(TrimList::new());
+        };
+        let table = item.as_table_like().ok_or_else(|| {
+            let what =
+                "trims are no table; write [trims] and below it \"mode 1\" = { level = \"-6 dB\" }";
+            self.broken(Some(item), what.to_owned())
+        })?;
+        Ok(trim::read(table, |item, what| {
+            let line = self.line(Some(item));
+            notices.push(Notice { line, what });
+        }))
+    }
+
     fn scala(&self, root: &dyn TableLike) -> Result<Scala, Broken> {
         let Some(item) = root.get("tuning") else {
             return Ok(Scala::default());
@@ -210,6 +231,7 @@ mod tests {
             ("name = \"A\"\ntags = \"soft\"\n[sound]\n", 2, "tags = ["),
             ("name = \"A\"\n\nabout = 3\n[sound]\n", 3, "quotation marks"),
             ("name = \"A\"\ntuning = 1\n[sound]\n", 2, "[tuning]"),
+            ("name = \"A\"\ntrims = 1\n[sound]\n", 2, "[trims]"),
         ] {
             let error = Preset::read(text, "A.toml").unwrap_err().to_string();
             assert!(

@@ -1,5 +1,6 @@
 //! What a preset makes of the parameters and of the tuning.
 
+use super::trim::{TrimList, same};
 use crate::params::body::INSTRUMENT;
 use crate::params::{GROUPS, Spec, specs};
 
@@ -20,13 +21,15 @@ impl Scala {
     }
 }
 
-/// Values of parameters in their units, and a tuning if it brings one.
+/// Values of parameters in their units, trims of single modes, and a tuning if it brings one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sound {
     /// Those that are said; each once.
     pub values: Vec<(&'static Spec, f32)>,
     /// Empty: none of its own.
     pub scala: Scala,
+    /// Modes that are not as built; the others are.
+    pub trims: TrimList,
 }
 
 impl Sound {
@@ -40,7 +43,7 @@ impl Sound {
         });
         Self {
             values: values.collect(),
-            scala: Scala::default(),
+            ..Self::default()
         }
     }
 
@@ -61,6 +64,12 @@ impl Sound {
         })
     }
 
+    /// Whether modes are trimmed as here, as far as a file tells.
+    #[must_use]
+    pub fn is_trimmed(&self, trims: &TrimList) -> bool {
+        same(&self.trims, trims)
+    }
+
     /// Whether a parameter is about the player rather than the sound.
     #[must_use]
     pub fn is_player_s(spec: &Spec) -> bool {
@@ -78,7 +87,7 @@ mod tests {
     fn what_is_not_said_is_as_new_but_hands_stay() {
         let sound = Sound {
             values: vec![(&SIZE, 2.0)],
-            scala: Scala::default(),
+            ..Sound::default()
         };
         let wanted: Vec<_> = sound.wanted().collect();
         assert!(wanted.contains(&(&SIZE, 2.0)));

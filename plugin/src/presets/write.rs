@@ -3,6 +3,7 @@
 use super::card::Card;
 use super::preset::{FORMAT, Preset};
 use super::sound::Sound;
+use super::trim;
 use toml_edit::{Array, DocumentMut, Item, Table, value};
 
 impl Preset {
@@ -77,6 +78,10 @@ impl Preset {
             tuning.insert("scale", value(&sound.scala.scale));
             tuning.insert("keyboard", value(&sound.scala.keyboard));
         }
+        if !sound.trims.is_empty() || self.document.contains_key("trims") {
+            let trims = table(&mut self.document, "trims");
+            trim::write(trims, &self.sound.trims, &sound.trims);
+        }
         self.sound = sound;
     }
 }
@@ -111,6 +116,7 @@ mod tests {
                 scale: "! a\nb\n1\n2/1\n".to_owned(),
                 keyboard: String::new(),
             },
+            ..Sound::default()
         };
         let preset = Preset::new(card, sound);
         let text = preset.text();
@@ -127,7 +133,7 @@ mod tests {
         let old = Preset::read(text, "A").unwrap();
         let sound = Sound {
             values: vec![(&INSTRUMENT, 0.0), (&MALLET, 2.0), (&SIZE, 2.0)],
-            scala: Scala::default(),
+            ..Sound::default()
         };
         let new = old.with(old.card.clone(), sound);
         let expected = text
@@ -149,7 +155,7 @@ mod tests {
         .unwrap();
         let sound = Sound {
             values: vec![(&SIZE, 2.0)],
-            scala: Scala::default(),
+            ..Sound::default()
         };
         let new = Preset::read(&old.with(old.card.clone(), sound).text(), "A").unwrap();
         assert_eq!(new.sound.get("size"), Some(2.0));

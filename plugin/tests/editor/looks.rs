@@ -3,8 +3,8 @@
 use crate::bench::Bench;
 use crate::own::Folder;
 use crate::picture::check;
-use crate::raster::{Pixels, Raster};
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, ViewportId, vec2};
+use idiophone::editor::{Pixels, Raster};
 use idiophone::engine::Trim;
 use idiophone::notices::{Cure, Notice, Subject};
 use nice_plug::prelude::ParamSetter;

@@ -2,6 +2,7 @@
 
 use crate::bench::Bench;
 use crate::host::Said;
+use crate::presets::click as press_button;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -82,6 +83,75 @@ fn a_partial_is_taken_by_hand() {
         None,
         "a closed window lets all sound"
     );
+}
+
+/// Puts the keyboard on the partials, and the lowest one 3 dB lower.
+fn lower(harness: &mut Harness<'_>) {
+    harness.get_by_label("Partial levels").focus();
+    harness.run_steps(2);
+    for key in [
+        Key::ArrowRight,
+        Key::ArrowDown,
+        Key::ArrowDown,
+        Key::ArrowDown,
+    ] {
+        harness.key_press(key);
+        harness.run_steps(2);
+    }
+}
+
+#[test]
+fn trims_are_undone_and_done_again() {
+    let bench = Bench::new("chimes");
+    let mut harness = bench.harness();
+    harness.run_steps(2);
+    let rect = harness.get_by_label("Partial levels").rect();
+    let x = lowest(&bench, &mut harness, rect);
+    let trims = || bench.controls.trims().list();
+    drag(&mut harness, at(rect, x, 0.3), egui::vec2(0.0, 20.0));
+    let dragged = trims();
+    assert_eq!(dragged.len(), 1);
+    // Longer than steps are joined.
+    harness.run_steps(60);
+    click(&mut harness, at(rect, x, 0.3), PointerButton::Primary);
+    let alone = bench.controls.trims().get().solo();
+    harness.get_by_label("Reset all trims").click();
+    harness.run_steps(2);
+    assert_eq!(trims(), []);
+    press_button(&mut harness, "Undo");
+    assert_eq!(trims(), dragged);
+    press_button(&mut harness, "Undo");
+    assert_eq!(trims(), []);
+    press_button(&mut harness, "Redo");
+    assert_eq!(trims(), dragged);
+    assert_eq!(bench.controls.trims().get().solo(), alone, "no step");
+    assert!(alone.is_some());
+}
+
+#[test]
+fn sides_and_presets_hold_their_trims() {
+    let bench = Bench::new("chimes");
+    let mut harness = bench.harness();
+    harness.run_steps(2);
+    let trims = || bench.controls.trims().list();
+    lower(&mut harness);
+    let a = trims();
+    assert_eq!(a[0].1.level_db, -3.0);
+    assert!(bench.saved.chosen().changed);
+    press_button(&mut harness, "Side B");
+    assert_eq!(trims(), a);
+    press_button(&mut harness, "Next preset");
+    assert_eq!(
+        trims(),
+        [],
+        "a preset that says nothing of modes has them as built"
+    );
+    press_button(&mut harness, "Side A");
+    assert_eq!(trims(), a);
+    press_button(&mut harness, "Side B");
+    assert_eq!(trims(), []);
+    press_button(&mut harness, "Undo");
+    assert_eq!(trims(), a);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //!
 //! With `UPDATE_SNAPSHOTS` in the environment what is drawn becomes what is kept.
 
-use crate::raster::Pixels;
+use idiophone::editor::Pixels;
 use std::fs::{self, File};
 use std::io::{BufReader, BufWriter};
 use std::path::{Path, PathBuf};

@@ -5,6 +5,7 @@ use crate::presets::{click, type_text};
 use egui::{Key, Modifiers, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use idiophone::engine::Trim;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -59,6 +60,31 @@ fn a_sound_is_saved_and_found_again() {
     assert_eq!(bench.text("alpha2"), value);
     save(&mut harness, "My knock", "longer");
     assert_eq!(fs::read_dir(presets(home.path())).unwrap().count(), 1);
+}
+
+#[test]
+fn trims_are_saved_with_a_sound_and_the_mode_that_is_alone_is_not() {
+    let (bench, home) = at_home();
+    let label = idiophone::factory::bank(0).bodies[0].modes[0].label;
+    let (level_db, ringing) = (-6.0, 2.0);
+    bench.controls.trims().change(|trims| {
+        trims.set(&label, Trim { level_db, ringing });
+        trims.set_solo(Some(label));
+    });
+    let mut harness = bench.harness();
+    save(&mut harness, "My knock", "dull");
+    let text = fs::read_to_string(presets(home.path()).join("My knock.toml")).unwrap();
+    let line =
+        format!("\n[trims]\n\"{label}\" = {{ level = \"-6.00 dB\", ringing = \"2.00 x\" }}\n");
+    assert!(text.ends_with(&line), "{text}");
+    bench.controls.trims().set_list(&[]);
+    harness.run_steps(2);
+    assert!(bench.saved.chosen().changed);
+    click(&mut harness, "My knock");
+    let trims = bench.controls.trims().list();
+    assert_eq!(trims, [(label, Trim { level_db, ringing })]);
+    harness.run_steps(2);
+    assert!(!bench.saved.chosen().changed);
 }
 
 #[test]

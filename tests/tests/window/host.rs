@@ -151,14 +151,27 @@ impl Host {
         }
     }
 
-    /// Opens the editor in the screen's window; its size in pixels.
-    pub(crate) fn open(&mut self, screen: &Screen) -> [u32; 2] {
-        let handle = self.instance.plugin_handle();
+    /// Makes an editor, without a window to be in; whether there is one now.
+    pub(crate) fn create(&mut self) -> bool {
         let how = GuiConfiguration {
             api_type: GuiApiType::X11,
             is_floating: false,
         };
-        self.gui.create(&handle, how).unwrap();
+        self.gui.create(&self.instance.plugin_handle(), how).is_ok()
+    }
+
+    /// Opens the editor in the screen's window; its size in pixels.
+    pub(crate) fn open(&mut self, screen: &Screen) -> [u32; 2] {
+        self.open_scaled(screen, None)
+    }
+
+    /// The same; the host knows how many pixels there are to a point.
+    pub(crate) fn open_scaled(&mut self, screen: &Screen, scale: Option<f64>) -> [u32; 2] {
+        assert!(self.create());
+        let handle = self.instance.plugin_handle();
+        if let Some(scale) = scale {
+            self.gui.set_scale(&handle, scale).unwrap();
+        }
         let size = self.gui.get_size(&handle).unwrap();
         // SAFETY: the screen outlives the editor.
         #[expect(unsafe_code, reason = "a window's handle is a number")]

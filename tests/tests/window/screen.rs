@@ -13,19 +13,19 @@ use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
 use x11rb::wrapper::ConnectionExt as _;
 
-/// Width and height of the window.
-const SIZE: [u16; 2] = [1100, 800];
-
 /// The screen.
 pub(crate) struct Screen {
     connection: RustConnection,
     root: u32,
     window: u32,
+    /// Width and height in pixels.
+    size: [u16; 2],
 }
 
 /// What the camera saw.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Shot {
+    size: [u16; 2],
     rgb: Vec<u8>,
 }
 
@@ -33,9 +33,11 @@ impl Screen {
     /// The one that `DISPLAY` names.
     pub(crate) fn open() -> Self {
         let (connection, number) = x11rb::connect(None).unwrap();
-        let root = connection.setup().roots[number].root;
+        let root = &connection.setup().roots[number];
+        let size = [root.width_in_pixels, root.height_in_pixels];
+        let root = root.root;
         let window = connection.generate_id().unwrap();
-        let [width, height] = SIZE;
+        let [width, height] = size;
         let look = CreateWindowAux::new().background_pixel(0);
         let class = WindowClass::INPUT_OUTPUT;
         connection
@@ -47,6 +49,7 @@ impl Screen {
             connection,
             root,
             window,
+            size,
         }
     }
 
@@ -72,7 +75,7 @@ impl Screen {
 
     /// Takes a picture of the window and of what is in it.
     pub(crate) fn shoot(&self) -> Shot {
-        let [width, height] = SIZE;
+        let [width, height] = self.size;
         let format = ImageFormat::Z_PIXMAP;
         let image = self
             .connection
@@ -82,6 +85,7 @@ impl Screen {
             .unwrap();
         let rgb = image.data.chunks_exact(4);
         Shot {
+            size: self.size,
             rgb: rgb.flat_map(|bgr| [bgr[2], bgr[1], bgr[0]]).collect(),
         }
     }
@@ -93,10 +97,16 @@ impl Shot {
         self.rgb.chunks_exact(3).collect::<HashSet<_>>().len()
     }
 
+    /// Whether something is drawn at a place.
+    pub(crate) fn is_drawn(&self, [x, y]: [u16; 2]) -> bool {
+        let at = usize::from(y) * usize::from(self.size[0]) + usize::from(x);
+        self.rgb[3 * at..][..3] != [0; 3]
+    }
+
     /// Writes a PNG.
     pub(crate) fn save(&self, path: &Path) {
         let file = BufWriter::new(File::create(path).unwrap());
-        let [width, height] = SIZE.map(u32::from);
+        let [width, height] = self.size.map(u32::from);
         let mut encoder = png::Encoder::new(file, width, height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);

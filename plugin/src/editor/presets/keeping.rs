@@ -30,6 +30,7 @@ impl Session {
                 .filter(|(spec, _)| !Sound::is_player_s(spec))
                 .collect(),
             scala: self.scala(),
+            trims: self.trims().list(),
         };
         match self.chosen().origin().and(self.preset()) {
             Some(preset) => preset.with(card, sound),

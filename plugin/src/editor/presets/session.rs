@@ -1,13 +1,13 @@
 //! What is done with presets, steps and sides, through the host.
 
 use super::super::chosen::Chosen;
-use super::super::history::{Past, Side};
+use super::super::history::{Past, Side, Turn};
 use super::super::log::Log;
 use super::super::param::Param;
 use super::super::saved::Saved;
 use crate::params::body::INSTRUMENT;
-use crate::params::{Controls, Spec};
-use crate::presets::{Library, Origin, Preset, Scala, Sound};
+use crate::params::{Controls, Spec, TrimTable};
+use crate::presets::{Library, Origin, Preset, Scala, Sound, TrimList};
 use crate::user_folder;
 use nice_plug::prelude::ParamSetter;
 use std::path::PathBuf;
@@ -63,6 +63,13 @@ impl Session {
         }
     }
 
+    /// Takes up the modes that have been trimmed by hand: which, and the lists before and after.
+    pub(in super::super) fn trimmed(&mut self, trimmed: Vec<(String, Turn<TrimList>)>, now_s: f64) {
+        for (name, turn) in trimmed {
+            self.past.history.trim(turn, &name, now_s);
+        }
+    }
+
     /// Which preset is chosen.
     pub(super) fn chosen(&self) -> Chosen {
         self.saved.chosen()
@@ -115,7 +122,11 @@ impl Session {
             now.is_some_and(|now| now != plain && spec.format(now) != spec.format(plain))
         };
         let retuned = !sound.scala.is_empty() && sound.scala != self.scala();
-        retuned || sound.wanted().any(differs)
+        retuned || !sound.is_trimmed(&self.trims().list()) || sound.wanted().any(differs)
+    }
+
+    pub(super) fn trims(&self) -> &TrimTable {
+        self.controls.trims()
     }
 
     pub(super) fn scala(&self) -> Scala {
@@ -154,6 +165,7 @@ impl Session {
         let side = Side {
             values,
             scala,
+            trims: preset.sound.trims.clone(),
             chosen: Chosen {
                 key: origin.map(Origin::key).unwrap_or_default(),
                 changed: false,

@@ -14,6 +14,7 @@ impl Session {
         Side {
             values: self.params.iter().map(place).collect(),
             scala: self.scala(),
+            trims: self.trims().list(),
             chosen: self.chosen(),
         }
     }
@@ -32,15 +33,17 @@ impl Session {
                 changes.push(Change { id, from, to });
             }
         }
-        let (scala, chosen) = (self.scala(), self.chosen());
+        let (scala, trims, chosen) = (self.scala(), self.trims().list(), self.chosen());
         if scala != to.scala {
             self.set_scala(&to.scala);
         }
+        self.trims().set_list(&to.trims);
         self.saved.choose(to.chosen.clone());
         self.past.history.push(Step {
             name,
             changes,
             scala: (scala != to.scala).then(|| [scala, to.scala.clone()]),
+            trims: (trims != to.trims).then(|| [trims, to.trims.clone()]),
             chosen: Some([chosen, to.chosen.clone()]),
             side: (heard != self.past.heard).then_some([self.past.heard, heard]),
         });
@@ -56,6 +59,9 @@ impl Session {
         }
         if let Some(scala) = &step.scala {
             self.set_scala(&scala[way]);
+        }
+        if let Some(trims) = &step.trims {
+            self.trims().set_list(&trims[way]);
         }
         if let Some(chosen) = &step.chosen {
             self.saved.choose(chosen[way].clone());

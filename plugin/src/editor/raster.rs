@@ -6,21 +6,24 @@ use std::collections::HashMap;
 
 /// Pixels from the top left, premultiplied.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Pixels {
-    pub(crate) width: usize,
-    pub(crate) height: usize,
-    pub(crate) rgba: Vec<[u8; 4]>,
+pub struct Pixels {
+    /// Pixels to a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Red, green, blue and how much they cover, row by row.
+    pub rgba: Vec<[u8; 4]>,
 }
 
 /// The textures that egui has handed over.
 #[derive(Default)]
-pub(crate) struct Raster {
+pub struct Raster {
     textures: HashMap<TextureId, Pixels>,
 }
 
 impl Raster {
     /// Takes up new textures and patches.
-    pub(crate) fn load(&mut self, deltas: &TexturesDelta) {
+    pub fn load(&mut self, deltas: &TexturesDelta) {
         for (id, deltas) in &deltas.set {
             for delta in deltas {
                 let ImageData::Color(image) = &delta.image;
@@ -38,7 +41,9 @@ impl Raster {
                     );
                     continue;
                 };
-                let whole = self.textures.get_mut(id).expect("a patch has a whole");
+                let Some(whole) = self.textures.get_mut(id) else {
+                    continue;
+                };
                 for (i, pixel) in rgba.enumerate() {
                     let at = (y + i / width) * whole.width + x + i % width;
                     whole.rgba[at] = pixel;
@@ -47,8 +52,16 @@ impl Raster {
         }
     }
 
-    /// Draws primitives on black.
-    pub(crate) fn draw(
+    /// Forgets textures that egui needs no more.
+    pub fn free(&mut self, deltas: &TexturesDelta) {
+        for id in &deltas.free {
+            self.textures.remove(id);
+        }
+    }
+
+    /// Draws primitives on black, `size` pixels wide and high.
+    #[must_use]
+    pub fn draw(
         &self,
         primitives: &[ClippedPrimitive],
         size: [usize; 2],
@@ -64,7 +77,9 @@ impl Raster {
             let Primitive::Mesh(mesh) = primitive else {
                 continue;
             };
-            let texture = &self.textures[&mesh.texture_id];
+            let Some(texture) = self.textures.get(&mesh.texture_id) else {
+                continue;
+            };
             let clip = *clip_rect * pixels_per_point;
             let low = [clip.min.x.round().max(0.0), clip.min.y.round().max(0.0)];
             let high = [
@@ -83,13 +98,27 @@ impl Raster {
                 );
             }
         }
-        let rgba = out.iter().map(|pixel| pixel.map(|x: f32| x.round() as u8));
+        let rgba = out.iter().map(|pixel| pixel.map(byte));
         Pixels {
             width,
             height,
             rgba: rgba.collect(),
         }
     }
+}
+
+/// The number of a pixel that begins there; the first for what lies before it.
+fn pixel(at: f32) -> usize {
+    #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
+    let pixel = at as usize;
+    pixel
+}
+
+/// A colour as it is shown.
+fn byte(colour: f32) -> u8 {
+    #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
+    let byte = colour.round() as u8;
+    byte
 }
 
 fn triangle(
@@ -112,7 +141,7 @@ fn triangle(
         let values = at.map(|point| point[k]);
         let least = values.iter().fold(f32::MAX, |a, b| a.min(*b)).floor();
         let most = values.iter().fold(f32::MIN, |a, b| a.max(*b)).ceil();
-        least.max(low[k]) as usize..most.min(high[k]).max(0.0) as usize
+        pixel(least.max(low[k]))..pixel(most.min(high[k]))
     };
     // On an edge between two triangles a pixel belongs to the one whose edge goes down or left.
     let owns = |a: [f32; 2], b: [f32; 2]| {
@@ -157,11 +186,7 @@ fn sample(texture: &Pixels, u: f32, v: f32) -> [f32; 4] {
     let axis = |share: f32, size: usize| {
         let at = (share * size as f32 - 0.5).clamp(0.0, size as f32 - 1.0);
         let first = at.floor();
-        (
-            first as usize,
-            (first as usize + 1).min(size - 1),
-            at - first,
-        )
+        (pixel(first), (pixel(first) + 1).min(size - 1), at - first)
     };
     let (x0, x1, fx) = axis(u, texture.width);
     let (y0, y1, fy) = axis(v, texture.height);
