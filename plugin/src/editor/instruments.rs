@@ -165,7 +165,11 @@ impl Instruments {
         Popup::menu(&response).width(wide).show(|ui| {
             ui.set_min_width(wide);
             let tall = ui.ctx().content_rect().bottom() - rect.bottom() - BELOW;
-            ScrollArea::vertical().max_height(tall).show(ui, |ui| {
+            // As tall as the window lets it be, which is more than menus are of themselves.
+            let scroll = ScrollArea::vertical()
+                .max_height(tall)
+                .min_scrolled_height(tall);
+            scroll.show(ui, |ui| {
                 let list = List {
                     param,
                     theme,
