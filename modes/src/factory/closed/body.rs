@@ -75,10 +75,12 @@ impl Flat {
         }
     }
 
-    /// What it looks like, and how it moves.
+    /// What it looks like from above and from below, and how it moves.
     pub(super) fn picture<M: ClosedMode>(&self, modes: &[M]) -> Picture {
         let [x, y] = self.outline.middle_m();
-        let (points, triangles) = self.outline.triangles(self.drawn);
+        let (points, above) = self.outline.triangles(self.drawn);
+        let below = above.iter().map(|[a, b, c]| [*a, *c, *b]);
+        let triangles = above.iter().copied().chain(below).collect();
         let motions = modes.iter().take(Picture::MOST_MODES).map(|mode| {
             let motion = points
                 .iter()

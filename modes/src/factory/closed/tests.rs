@@ -126,6 +126,22 @@ fn a_square_drum_is_struck_everywhere() {
     }
 }
 
+#[test]
+fn pictures_show_both_sides() {
+    for (recipe, shape) in factory() {
+        let (_, picture) = lowest(&recipe, &shape);
+        let up = |[a, b, c]: &[u32; 3]| {
+            let [p, q, r] = [a, b, c].map(|i| picture.points_m[*i as usize]);
+            (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+        };
+        let (above, below) = picture.triangles.split_at(picture.triangles.len() / 2);
+        assert!(above.iter().all(|triangle| up(triangle) >= 0.0));
+        for (over, under) in above.iter().zip(below) {
+            assert_eq!(up(over), -up(under), "{}", recipe.name);
+        }
+    }
+}
+
 /// A string's board takes the same share of all partials of a flexible string: d = 2 f₁ Y √(Tμ), for it
 /// reflects all but 2Y√(Tμ) of each wave's amplitude once a period.
 #[test]
