@@ -65,7 +65,7 @@ impl App {
 
     /// The window has another size.
     pub(super) fn size(&mut self, size: WindowSize) {
-        self.open.scale(size.scale_factor as f32);
+        self.open.see(size.scale_factor);
         if self.frames >= SETTLING {
             let logical = size.logical;
             self.saved

@@ -134,6 +134,10 @@ impl Editor for Window {
                 (None, Plain::open(wanted, app, &self.windows)?)
             }
         };
+        // Hosts ask for the size next; where the system tells no scale the window goes by theirs.
+        let system = window.size().scale_factor;
+        let host = fallback_scale_factor.filter(|_| system == 1.0);
+        self.windows.see(host.unwrap_or(system));
         Ok(SpawnedEditor {
             handle: Handle::new(&self.windows, hint(), handle),
             window,

@@ -47,6 +47,12 @@ impl Windows {
         self.news.swap(false, Ordering::Relaxed)
     }
 
+    /// There are so many pixels to a point.
+    pub(super) fn see(&self, scale: f64) {
+        self.scale
+            .store((scale as f32).to_bits(), Ordering::Relaxed);
+    }
+
     /// Pixels to a point when a window was last seen.
     pub(super) fn scale(&self) -> f64 {
         f32::from_bits(self.scale.load(Ordering::Relaxed)).into()
@@ -62,9 +68,9 @@ impl Open {
         Self(windows)
     }
 
-    /// So many pixels are a point here.
-    pub(super) fn scale(&self, scale: f32) {
-        self.0.scale.store(scale.to_bits(), Ordering::Relaxed);
+    /// There are so many pixels to a point here.
+    pub(super) fn see(&self, scale: f64) {
+        self.0.see(scale);
     }
 }
 

@@ -7,7 +7,9 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// What has the keyboard, and where it is.
 fn focused(harness: &Harness<'_>) -> (String, Rect) {
-    let node = harness.query_by(|node| node.is_focused()).unwrap();
+    let node = harness
+        .query_by(|node| node.is_focused() && node.label().is_some())
+        .unwrap();
     (node.accesskit_node().label().unwrap(), node.rect())
 }
 

@@ -12,7 +12,7 @@ type Colour = [u8; 3];
 const MOST: usize = 256;
 
 /// Some colours, and how many pixels have each.
-type Box = Vec<(Colour, usize)>;
+type Group = Vec<(Colour, usize)>;
 
 /// Writes a picture with the colours that serve it best.
 pub(crate) fn write(path: &Path, pixels: &Pixels) {
@@ -20,7 +20,7 @@ pub(crate) fn write(path: &Path, pixels: &Pixels) {
     for [r, g, b, _] in &pixels.rgba {
         *many.entry([*r, *g, *b]).or_default() += 1;
     }
-    let mut all: Box = many.into_iter().collect();
+    let mut all: Group = many.into_iter().collect();
     all.sort_unstable();
     let boxes = median_cut(all);
     let palette: Vec<Colour> = boxes.iter().map(mean).collect();
@@ -49,10 +49,10 @@ pub(crate) fn write(path: &Path, pixels: &Pixels) {
 
 /// Parts colours into boxes (P. Heckbert, "Color image quantization for frame buffer display", 1982): that
 /// with the greatest error first, across its longest side, so that both halves have as many pixels.
-fn median_cut(all: Box) -> Vec<Box> {
+fn median_cut(all: Group) -> Vec<Group> {
     let mut boxes = vec![all];
     while boxes.len() < MOST {
-        let cost = |colours: &Box| {
+        let cost = |colours: &Group| {
             let pixels: usize = colours.iter().map(|(_, many)| many).sum();
             usize::from(side(colours).1).pow(2) * pixels
         };
@@ -77,7 +77,7 @@ fn median_cut(all: Box) -> Vec<Box> {
 }
 
 /// The longest side of a box, and its length.
-fn side(colours: &Box) -> (usize, u8) {
+fn side(colours: &Group) -> (usize, u8) {
     let length = |axis: usize| {
         let values = || colours.iter().map(|(colour, _)| colour[axis]);
         values().max().unwrap_or(0) - values().min().unwrap_or(0)
@@ -88,7 +88,7 @@ fn side(colours: &Box) -> (usize, u8) {
         .unwrap()
 }
 
-fn mean(colours: &Box) -> Colour {
+fn mean(colours: &Group) -> Colour {
     let pixels: usize = colours.iter().map(|(_, many)| many).sum();
     [0, 1, 2].map(|axis| {
         let sum: usize = colours

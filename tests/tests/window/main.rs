@@ -88,7 +88,8 @@ fn a_window_on_a_fine_screen_is_as_large_as_the_host_says() {
     let screen = Screen::open();
     let mut host = Host::new();
     for opening in 0..3 {
-        let size = host.open_scaled(&screen, Some(2.0));
+        // Some say it once.
+        let size = host.open_scaled(&screen, (opening < 2).then_some(2.0));
         assert_eq!(size, [2000, 1360], "opening {opening}");
         let corner = |_: &mut Host| {
             let shot = screen.shoot();
@@ -102,6 +103,22 @@ fn a_window_on_a_fine_screen_is_as_large_as_the_host_says() {
         host.close();
         host.pump(Duration::from_millis(300));
     }
+}
+
+#[test]
+#[ignore = "needs a screen: tests/window.sh gives it one"]
+fn a_window_on_a_fine_screen_that_says_so_is_as_large_too() {
+    let screen = Screen::open();
+    screen.set_dpi(192);
+    let mut host = Host::new();
+    for opening in 0..2 {
+        assert_eq!(host.open(&screen), [2000, 1360], "opening {opening}");
+        let corner = |_: &mut Host| screen.shoot().is_drawn([1990, 1350]);
+        assert!(soon(&mut host, corner), "opening {opening} fills it");
+        host.close();
+        host.pump(Duration::from_millis(300));
+    }
+    screen.set_dpi(96);
 }
 
 #[test]

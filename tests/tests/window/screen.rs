@@ -6,8 +6,8 @@ use std::io::BufWriter;
 use std::path::Path;
 use x11rb::connection::Connection as _;
 use x11rb::protocol::xproto::{
-    BUTTON_PRESS_EVENT, BUTTON_RELEASE_EVENT, ConnectionExt as _, CreateWindowAux, ImageFormat,
-    MOTION_NOTIFY_EVENT, WindowClass,
+    AtomEnum, BUTTON_PRESS_EVENT, BUTTON_RELEASE_EVENT, ConnectionExt as _, CreateWindowAux,
+    ImageFormat, MOTION_NOTIFY_EVENT, PropMode, WindowClass,
 };
 use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
@@ -56,6 +56,22 @@ impl Screen {
     /// The window that editors are put into.
     pub(crate) fn window(&self) -> u32 {
         self.window
+    }
+
+    /// Tells programs of how many dots there are to an inch; 96 make a pixel to a point.
+    pub(crate) fn set_dpi(&self, dpi: u32) {
+        let resources = format!("Xft.dpi:\t{dpi}\n");
+        let (property, string) = (AtomEnum::RESOURCE_MANAGER, AtomEnum::STRING);
+        self.connection
+            .change_property8(
+                PropMode::REPLACE,
+                self.root,
+                property,
+                string,
+                resources.as_bytes(),
+            )
+            .unwrap();
+        self.connection.sync().unwrap();
     }
 
     /// Moves the pointer and clicks.
