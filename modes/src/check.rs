@@ -12,6 +12,7 @@ mod mesh;
 mod recorded;
 mod retune;
 mod row;
+mod shapes_1998;
 mod shells;
 mod special;
 mod tetrahedra;
@@ -93,7 +94,7 @@ fn greater(worst: f64, figure: f64) -> f64 {
 type Group = fn() -> Result<Vec<Row>, CheckError>;
 
 /// The groups by name, in the order in which they are told.
-pub const GROUPS: [(&str, Group); 14] = [
+pub const GROUPS: [(&str, Group); 15] = [
     ("bending of a free tube", beam::rows),
     ("rings and shells", shells::rows),
     ("clamped bars and plates, hollow cubes", clamped::rows),
@@ -107,5 +108,6 @@ pub const GROUPS: [(&str, Group); 14] = [
     ("recordings", recorded::rows),
     ("what is heard", heard::rows),
     ("convergence", converged::rows),
+    ("the shapes of van den Doel & Pai 1998", shapes_1998::rows),
     ("the factory banks", bank::rows),
 ];

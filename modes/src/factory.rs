@@ -4,6 +4,7 @@ mod body;
 mod bowls;
 mod build;
 mod cache;
+mod closed;
 mod progress;
 mod sound;
 

@@ -19,6 +19,10 @@ pub enum Family {
     Lateral,
     /// A shell flexes with `order` waves around its axis.
     Shell,
+    /// A membrane moves, with `order` nodal diameters or half-waves along its first side.
+    Membrane,
+    /// A plate flexes with `order` nodal diameters.
+    Plate,
     /// No kind was made out.
     Other,
 }
@@ -58,6 +62,8 @@ impl fmt::Display for ModeLabel {
             Family::Lateral => write!(f, "lateral {}", self.index)?,
             // Bell founders count the nodal circles, from none.
             Family::Shell => write!(f, "shell ({},{})", self.order, self.index - 1)?,
+            Family::Membrane => write!(f, "membrane ({},{})", self.order, self.index)?,
+            Family::Plate => write!(f, "plate ({},{})", self.order, self.index)?,
             Family::Other => write!(f, "mode {}", self.index)?,
         }
         match self.member {

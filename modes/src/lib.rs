@@ -4,6 +4,7 @@
 //! turn each into natural frequencies and mode shapes; a [`Bank`] carries
 //! them to whoever makes them sound.
 
+#[cfg(feature = "solve")]
 pub mod analytic;
 mod bank;
 #[cfg(feature = "solve")]
@@ -41,6 +42,7 @@ pub mod solid;
 pub mod solve;
 #[cfg(feature = "solve")]
 mod solved;
+pub mod sound_map;
 mod strike;
 #[cfg(feature = "solve")]
 pub mod tube;

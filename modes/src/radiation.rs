@@ -1,10 +1,12 @@
 //! How strongly a mode's motion drives the air.
 
+mod baffle;
 mod cylinder;
 mod huygens;
 mod pipe;
 mod surface;
 
+pub use baffle::baffled_decay_per_s;
 pub use cylinder::cylinder_decay_per_s;
 pub use huygens::{Listener, Transfers};
 pub use pipe::Pipe;

@@ -1,6 +1,7 @@
 //! What to build, as a text that people read and edit.
 
 mod check;
+mod closed;
 mod error;
 mod free;
 #[cfg(test)]
@@ -12,7 +13,7 @@ mod together;
 pub use error::{RecipeError, RecipeFileError};
 pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
 
-use crate::shape::Bowl;
+use crate::shape::{Bowl, ClosedShape};
 use crate::{Damping, Material};
 use std::fs::File;
 use std::io::{self, Read};
@@ -95,6 +96,8 @@ pub enum ShapeRecipe {
     },
     /// A bowl: its proportions, scaled to each pitch.
     Bowl(Bowl),
+    /// A thin body of closed form: its proportions, scaled to each pitch.
+    Closed(ClosedShape),
 }
 
 /// What takes energy out of the bodies where they are touched.
@@ -165,7 +168,7 @@ impl KeyRange {
 
 impl Recipe {
     /// The recipes that come with the crate: name and text.
-    pub const FACTORY: [(&str, &str); 7] = [
+    pub const FACTORY: [(&str, &str); 15] = [
         ("chimes", include_str!("../../recipes/chimes.toml")),
         ("vibraphone", include_str!("../../recipes/vibraphone.toml")),
         (
@@ -185,6 +188,26 @@ impl Recipe {
             include_str!("../../recipes/metal-bowls.toml"),
         ),
         ("oak-bowls", include_str!("../../recipes/oak-bowls.toml")),
+        ("strings", include_str!("../../recipes/strings.toml")),
+        (
+            "clamped-bars",
+            include_str!("../../recipes/clamped-bars.toml"),
+        ),
+        ("free-bars", include_str!("../../recipes/free-bars.toml")),
+        ("tines", include_str!("../../recipes/tines.toml")),
+        (
+            "square-drums",
+            include_str!("../../recipes/square-drums.toml"),
+        ),
+        (
+            "round-drums",
+            include_str!("../../recipes/round-drums.toml"),
+        ),
+        (
+            "round-plates",
+            include_str!("../../recipes/round-plates.toml"),
+        ),
+        ("l-drums", include_str!("../../recipes/l-drums.toml")),
     ];
 
     /// The recipe that `text` gives. `file_name` is what errors call it.

@@ -1,5 +1,6 @@
 //! The symmetric generalised eigenproblem Kφ = λMφ over a band of frequencies.
 
+mod angle;
 mod band;
 mod dense;
 mod dissection;
@@ -17,6 +18,7 @@ mod substitution;
 mod verify;
 mod watch;
 
+pub(crate) use angle::{SmallestAngle, smallest_angle};
 pub use band::{Band, Eigenmode, Solution, Solver, modes_in_band, modes_in_band_with};
 pub use error::SolveError;
 pub use factor::count_below;

@@ -5,7 +5,9 @@ mod dots;
 mod family;
 mod names;
 mod picture;
+mod stems;
 
 pub use dots::STRIKE_POSITION;
 pub(crate) use dots::pressure_pa;
 pub(crate) use picture::draw;
+pub(crate) use stems::draw_stems;

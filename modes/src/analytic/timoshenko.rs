@@ -1,5 +1,6 @@
 //! Bending of a free beam with shear and rotary inertia (Timoshenko 1921).
 
+use super::roots::bisect;
 use crate::Material;
 use crate::shape::Tube;
 use std::f64::consts::{PI, TAU};
@@ -151,19 +152,6 @@ fn roots(f: impl Fn(f64) -> f64, high: f64, steps: usize) -> Vec<f64> {
         .filter(|&i| f(at(i)) * f(at(i + 1)) <= 0.0)
         .map(|i| bisect(&f, at(i), at(i + 1)))
         .collect()
-}
-
-fn bisect(f: &impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let sign = f(low).is_sign_positive();
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if f(middle).is_sign_positive() == sign {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
 }
 
 #[cfg(test)]

@@ -118,7 +118,7 @@ pub(super) const ARRAYS: [[&str; 3]; 13] = [
     [
         "label",
         "[modes]{family u8 (0 bending, 1 torsion, 2 longitudinal, 3 wall, 4 other, \
-         5 lateral, 6 shell), \
+         5 lateral, 6 shell, 7 membrane, 8 plate), \
          member u8 (0 single, 1 a, 2 b), order u16, index u16}",
         "1",
     ],
@@ -175,7 +175,7 @@ pub(super) fn checksum(file: &[u8]) -> u32 {
 }
 
 /// Families by their number in a file.
-pub(super) const FAMILIES: [Family; 7] = [
+pub(super) const FAMILIES: [Family; 9] = [
     Family::Bending,
     Family::Torsion,
     Family::Longitudinal,
@@ -183,6 +183,8 @@ pub(super) const FAMILIES: [Family; 7] = [
     Family::Other,
     Family::Lateral,
     Family::Shell,
+    Family::Membrane,
+    Family::Plate,
 ];
 
 /// Members by their number in a file.
@@ -197,6 +199,8 @@ pub(super) const fn family_number(family: Family) -> u8 {
         Family::Other => 4,
         Family::Lateral => 5,
         Family::Shell => 6,
+        Family::Membrane => 7,
+        Family::Plate => 8,
     }
 }
 

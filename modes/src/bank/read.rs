@@ -182,7 +182,7 @@ fn label(bytes: &[u8]) -> Result<ModeLabel, BankError> {
     Ok(ModeLabel {
         family: *FAMILIES
             .get(usize::from(family))
-            .ok_or_else(|| BankError::inconsistent("family", family, "0 to 6"))?,
+            .ok_or_else(|| BankError::inconsistent("family", family, "0 to 8"))?,
         order: u16_at(2),
         index: u16_at(4),
         member: *MEMBERS

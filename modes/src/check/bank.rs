@@ -25,6 +25,7 @@ pub(super) fn rows() -> Result<Vec<Row>, CheckError> {
         let file = bank.write();
         bytes += file.len();
         slowest_s = greater(slowest_s, retune::least_s(|| Ok(Bank::read(&file)?))?);
+        let bank = bank.spread_out();
         rows.extend(quality(&recipe, &bank));
         if recipe.imperfection.is_some() {
             rows.extend(beats(&bank));
@@ -86,7 +87,9 @@ fn quality(recipe: &Recipe, bank: &Bank) -> [Row; 4] {
 
 /// How far the mode that carries the pitch, or the mean of its pair, is off.
 fn pitch_off_cents(recipe: &Recipe, body: &crate::Body) -> f64 {
+    let lowest = body.modes.first().map(|mode| mode.label);
     let carries = |mode: &&crate::Mode| match recipe.shape {
+        ShapeRecipe::Closed(_) => Some(mode.label) == lowest,
         ShapeRecipe::Bowl(_) => mode.label.order == 2 && mode.label.index == 1,
         _ => mode.label.family == Family::Bending && mode.label.index == recipe.tuning.partial,
     };

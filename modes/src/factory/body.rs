@@ -63,6 +63,7 @@ impl<'a> Maker<'a> {
                     .map_err(|error| out_of_tune(recipe, recipe.keys.low, error))?;
                 Shape::Bowls(Box::new(bowls))
             }
+            ShapeRecipe::Closed(_) => unreachable!("bodies of closed form are not meshed"),
         };
         let maker = Self { recipe, shape };
         if let Shape::Tube(bell) = &maker.shape {

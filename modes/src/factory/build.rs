@@ -1,10 +1,10 @@
 //! Every key of a recipe, tuned and solved.
 
-use super::Progress;
 use super::body::Maker;
 use super::sound::{ears_m, sounding};
+use super::{Progress, closed};
 use crate::tube::TuneError;
-use crate::{Bank, Body, CODE, Provenance, Recipe, SolveError};
+use crate::{Bank, Body, CODE, Provenance, Recipe, ShapeRecipe, SolveError};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -33,6 +33,12 @@ pub enum BuildError {
         /// Why not.
         error: SolveError,
     },
+    /// The body has no mode within the mesh's frequencies.
+    #[error("{recipe}: mesh.highest_hz: no mode lies below it")]
+    Silent {
+        /// Name of the recipe.
+        recipe: String,
+    },
     /// The caller asked to stop.
     #[error("{recipe}: cancelled")]
     Cancelled {
@@ -57,6 +63,9 @@ struct Finished {
 /// The first key, counted from the lowest, that cannot be tuned or solved; or that `progress` broke
 /// off.
 pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildError> {
+    if let ShapeRecipe::Closed(shape) = &recipe.shape {
+        return closed::bank(recipe, shape);
+    }
     let keys: Vec<u8> = recipe.keys.iter().collect();
     let maker = Maker::new(recipe)?;
     let (done, cancelled) = (AtomicUsize::new(0), AtomicBool::new(false));

@@ -1,5 +1,6 @@
 //! The ranges of a recipe's fields.
 
+use super::closed::{CLOSED, check_closed, closed_fields};
 use super::error::Fault;
 use super::material::check_material;
 use super::raw::{
@@ -170,29 +171,38 @@ fn check_body(body: &RawBody) -> Result<ShapeRecipe, Fault> {
         ("body.second_ratio", body.second_ratio),
         ("body.third_ratio", body.third_ratio),
     ];
+    if let Some(shape) = check_closed(body)? {
+        let none = format!("left out: a {} has none", body.shape);
+        none_of(&tube, &none)?;
+        none_of(&bowl, &none)?;
+        none_of(&bar, &none)?;
+        return Ok(ShapeRecipe::Closed(shape));
+    }
+    let closed = closed_fields(body);
     match body.shape.as_str() {
         "tube" => {
             none_of(&bowl, "left out: a tube has none")?;
             none_of(&bar, "left out: a tube has none")?;
+            none_of(&closed, "left out: a tube has none")?;
             check_tube(body)
         }
         "bowl" => {
             none_of(&tube, "left out: a bowl has none")?;
             none_of(&bar, "left out: a bowl has none")?;
+            none_of(&closed, "left out: a bowl has none")?;
             check_bowl(&bowl)
         }
         "bar" => {
             none_of(&tube, "left out: a bar has none")?;
             none_of(&bowl, "left out: a bar has none")?;
+            none_of(&closed, "left out: a bar has none")?;
             check_bar(body)
         }
         _ => {
             let value = format!("{:?}", body.shape);
-            Err(Fault::field(
-                "body.shape",
-                value,
-                "\"tube\", \"bar\" or \"bowl\"",
-            ))
+            let closed = CLOSED.join("\", \"");
+            let allowed = format!("\"tube\", \"bar\", \"bowl\", or of closed form: \"{closed}\"");
+            Err(Fault::field("body.shape", value, allowed))
         }
     }
 }

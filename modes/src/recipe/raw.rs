@@ -55,6 +55,15 @@ pub(super) struct RawBody {
     pub(super) squareness: Option<f64>,
     pub(super) base_wall_m: Option<f64>,
     pub(super) rim_wall_m: Option<f64>,
+    pub(super) length_m: Option<f64>,
+    pub(super) second_side_m: Option<f64>,
+    pub(super) width_m: Option<f64>,
+    pub(super) thickness_m: Option<f64>,
+    pub(super) radius_m: Option<f64>,
+    pub(super) square_m: Option<f64>,
+    pub(super) tension_n: Option<f64>,
+    pub(super) tension_n_m: Option<f64>,
+    pub(super) board_s_kg: Option<f64>,
 }
 
 #[derive(Deserialize)]

@@ -165,7 +165,9 @@ const FIELDS: &[(&str, &str, &str)] = &[
     (
         "shape = \"tube\"",
         "shape = \"bell\"",
-        "body.shape is \"bell\", but must be \"tube\", \"bar\" or \"bowl\"",
+        "body.shape is \"bell\", but must be \"tube\", \"bar\", \"bowl\", or of closed form: \
+         \"string\", \"clamped bar\", \"free bar\", \"cantilever\", \"rectangular membrane\", \
+         \"circular membrane\", \"circular plate\", \"L membrane\"",
     ),
     (
         "outer_radius_m = 0.0125",

@@ -9,13 +9,22 @@ pub(super) fn check_together(recipe: &Recipe) -> Result<(), Fault> {
     let tuning = &recipe.tuning;
     if !matches!(recipe.shape, ShapeRecipe::Tube { .. }) {
         if tuning.partial != 1 {
-            let allowed = "1: bars and bowls are tuned by their lowest mode";
+            let allowed = "1: all but tubes are tuned by their lowest mode";
             return Err(Fault::field("tuning.partial", tuning.partial, allowed));
         }
         if tuning.octaves_below != 0 {
-            let allowed = "0: bars and bowls are heard as their lowest mode";
+            let allowed = "0: all but tubes are heard as their lowest mode";
             let octaves = tuning.octaves_below;
             return Err(Fault::field("tuning.octaves_below", octaves, allowed));
+        }
+    }
+    if matches!(recipe.shape, ShapeRecipe::Closed(_)) {
+        let allowed = "left out: bodies of closed form have none";
+        if recipe.imperfection.is_some() {
+            return Err(Fault::field("imperfection", "given", allowed));
+        }
+        if recipe.resonator.is_some() {
+            return Err(Fault::field("resonator", "given", allowed));
         }
     }
     let key = recipe.keys.high;
@@ -70,11 +79,11 @@ mod tests {
         for name in ["vibraphone", "singing-bowls"] {
             assert_eq!(
                 refused(name, &[("partial = 1", "partial = 2")]),
-                "my.toml: tuning.partial is 2, but must be 1: bars and bowls are tuned by their lowest mode"
+                "my.toml: tuning.partial is 2, but must be 1: all but tubes are tuned by their lowest mode"
             );
             assert_eq!(
                 refused(name, &[("partial = 1", "partial = 1\noctaves_below = 1")]),
-                "my.toml: tuning.octaves_below is 1, but must be 0: bars and bowls are heard as their lowest \
+                "my.toml: tuning.octaves_below is 1, but must be 0: all but tubes are heard as their lowest \
                  mode"
             );
         }

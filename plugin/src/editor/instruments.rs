@@ -22,6 +22,8 @@ use std::time::{Duration, Instant};
 const CANCEL: Duration = Duration::from_millis(300);
 /// Least width of the list.
 const LIST: f32 = 210.0;
+/// Room that the list leaves below itself in the window.
+const BELOW: f32 = 24.0;
 /// What the list's last lines do.
 const IMPORT: &str = "Takes a bank from anywhere into the song, and a copy into the folder";
 const SHOW: &str = "Opens the folder; banks that are put there come into this list";
@@ -162,7 +164,12 @@ impl Instruments {
         let wide = rect.width().max(LIST);
         Popup::menu(&response).width(wide).show(|ui| {
             ui.set_min_width(wide);
-            ScrollArea::vertical().max_height(420.0).show(ui, |ui| {
+            let tall = ui.ctx().content_rect().bottom() - rect.bottom() - BELOW;
+            // As tall as the window lets it be, which is more than menus are of themselves.
+            let scroll = ScrollArea::vertical()
+                .max_height(tall)
+                .min_scrolled_height(tall);
+            scroll.show(ui, |ui| {
                 let list = List {
                     param,
                     theme,

@@ -98,7 +98,7 @@ mod tests {
                 let mode = body
                     .modes
                     .iter()
-                    .find(|mode| mode.hz == partial.hz)
+                    .find(|mode| mode.label == partial.label)
                     .unwrap();
                 let expected = mode.decay_per_s(&bank.damping);
                 let sum: f64 = ringing.per_s.iter().sum();

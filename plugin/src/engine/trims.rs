@@ -48,7 +48,9 @@ fn rank(label: &ModeLabel) -> u64 {
         Family::Wall => 3,
         Family::Lateral => 4,
         Family::Shell => 5,
-        Family::Other => 6,
+        Family::Membrane => 6,
+        Family::Plate => 7,
+        Family::Other => 8,
     };
     let member: u64 = match label.member {
         Member::Single => 0,

@@ -3,13 +3,15 @@
 use modes::{Family, Member, ModeLabel};
 
 /// The families that a name can be of.
-const FAMILIES: [Family; 7] = [
+const FAMILIES: [Family; 9] = [
     Family::Bending,
     Family::Torsion,
     Family::Longitudinal,
     Family::Wall,
     Family::Lateral,
     Family::Shell,
+    Family::Membrane,
+    Family::Plate,
     Family::Other,
 ];
 

@@ -17,7 +17,7 @@ const RESTING: u16 = 20;
 
 /// The box with the instrument's name, and the first line under "Your own" in its list.
 const LIST: [i16; 2] = [240, 22];
-const FIRST_OWN: [i16; 2] = [200, 264];
+const FIRST_OWN: [i16; 2] = [200, 472];
 
 /// The body of C4 in a new window, in points from its left top.
 const C4: [i16; 2] = [440, 125];

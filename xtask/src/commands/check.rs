@@ -1,12 +1,15 @@
 //! `check`: the physics beside theory and published tables.
 
+use crate::figure;
 use crate::progress;
 use crate::table::Table;
 use crate::whole::whole;
 use anyhow::{Context, Result, bail};
 use clap::Args;
+use modes::analytic::square_1998;
 use modes::check::{GROUPS, Row};
 use serde::Serialize;
+use std::path::{Path, PathBuf};
 
 /// Arguments of `check`.
 #[derive(Args, Debug)]
@@ -17,6 +20,9 @@ pub struct Check {
     /// Write a table in Markdown, as without any option
     #[arg(long)]
     pub markdown: bool,
+    /// Draw Figs. 5 to 7 of van den Doel & Pai 1998 from our amplitudes into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -26,6 +32,9 @@ struct Rows<'a> {
 
 impl Check {
     pub(super) fn run(&self) -> Result<()> {
+        if let Some(folder) = &self.figures {
+            draw_figures(folder)?;
+        }
         let rows = progress::with_bar("checks", |bar| -> Result<Vec<Row>> {
             let mut rows = Vec::new();
             for (done, (name, group)) in GROUPS.iter().enumerate() {
@@ -50,6 +59,20 @@ impl Check {
         }
         Ok(())
     }
+}
+
+/// The square membrane after its three strikes, a PNG for each.
+fn draw_figures(folder: &Path) -> Result<()> {
+    std::fs::create_dir_all(folder)
+        .with_context(|| format!("{}: cannot make the folder", folder.display()))?;
+    for (number, at) in (5..).zip(square_1998::STRIKES_M) {
+        let [x, y] = at;
+        let title = format!("1998, Fig. {number}: square membrane struck at ({x}, {y})");
+        let path = folder.join(format!("square-membrane-figure-{number}.png"));
+        figure::draw_stems(&title, &square_1998::struck(at), &path)?;
+        eprintln!("{}", path.display());
+    }
+    Ok(())
 }
 
 fn markdown(rows: &[Row]) -> String {
@@ -111,6 +134,18 @@ mod tests {
             (f64::NAN, "–"),
         ] {
             assert_eq!(number(value), text);
+        }
+    }
+
+    #[test]
+    fn the_figures_of_1998_are_drawn() {
+        let dir = tempfile::tempdir().unwrap();
+        let folder = dir.path().join("figures");
+        draw_figures(&folder).unwrap();
+        for number in 5..=7 {
+            let png =
+                std::fs::read(folder.join(format!("square-membrane-figure-{number}.png"))).unwrap();
+            assert!(png.starts_with(b"\x89PNG"));
         }
     }
 

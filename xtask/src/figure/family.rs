@@ -4,13 +4,15 @@ use modes::{Family, ModeLabel};
 use plotters::style::RGBColor;
 
 /// All kinds, in the order of the legend.
-pub(super) const FAMILIES: [Family; 7] = [
+pub(super) const FAMILIES: [Family; 9] = [
     Family::Bending,
     Family::Shell,
     Family::Wall,
     Family::Torsion,
     Family::Lateral,
     Family::Longitudinal,
+    Family::Membrane,
+    Family::Plate,
     Family::Other,
 ];
 
@@ -23,6 +25,8 @@ pub(super) fn look(family: Family) -> (RGBColor, &'static str) {
         Family::Torsion => (RGBColor(86, 180, 240), "torsion"),
         Family::Lateral => (RGBColor(72, 208, 144), "lateral"),
         Family::Longitudinal => (RGBColor(236, 132, 200), "longitudinal"),
+        Family::Membrane => (RGBColor(220, 210, 96), "membrane"),
+        Family::Plate => (RGBColor(120, 200, 196), "plate"),
         Family::Other => (RGBColor(168, 172, 184), "other"),
     }
 }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// A single strike peaks at −15 dB of full scale at most; these pieces leave room for more.
 const GAIN: &str = "Output gain=12 dB";
 
-/// Bowls that ring shortly are played fast and loud.
+/// Bowls that ring shortly, and drums, are played fast and loud.
 const LESS_GAIN: &str = "Output gain=6 dB";
 
 /// A hand laid on the bodies after the last bar, which would otherwise ring for minutes: seconds
@@ -75,6 +75,7 @@ fn hands(name: &str) -> &'static [&'static str] {
         "singing-bowls" => &[GAIN, "Mallet hardness=600 MPa"],
         "crystal-bowls" => &[GAIN, "Mallet hardness=400 MPa"],
         "metal-bowls" | "oak-bowls" => &[LESS_GAIN, "Mallet hardness=500 MPa"],
+        "square-drums" | "round-drums" | "l-drums" => &[LESS_GAIN],
         _ => &[GAIN],
     }
 }
