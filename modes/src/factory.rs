@@ -3,11 +3,13 @@
 mod body;
 mod bowls;
 mod build;
+mod builder;
 mod cache;
 mod progress;
 mod sound;
 
 pub(crate) use body::halved;
 pub use build::{BuildError, build};
+pub use builder::{Builder, Finished};
 pub use cache::{Built, CacheError, cached};
 pub use progress::{Progress, Silent};

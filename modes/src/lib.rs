@@ -52,7 +52,7 @@ pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
     ImperfectionRecipe, ImperfectionSize, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe,
-    RecipeError, RecipeFileError, ResonatorRecipe, ShapeRecipe, TuningRecipe,
+    RecipeError, RecipeFileError, ResonatorRecipe, ShapeRecipe, TuningRecipe, Variation,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;

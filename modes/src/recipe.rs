@@ -5,8 +5,10 @@ mod error;
 mod material;
 mod raw;
 mod together;
+mod vary;
 
 pub use error::{RecipeError, RecipeFileError};
+pub use vary::Variation;
 
 use crate::shape::Bowl;
 use crate::{Damping, Material};
@@ -88,6 +90,12 @@ pub enum ShapeRecipe {
         /// The second and the third bending mode as multiples of the first; a vibraphone's own
         /// without.
         ratios: Option<[f64; 2]>,
+        /// Thickness of the stock over a vibraphone's.
+        thickness: f64,
+        /// Width of the stock over a vibraphone's.
+        width: f64,
+        /// How far the undercut stretches the ratios, −1 (shallow) to 1 (deep).
+        undercut: f64,
     },
     /// A bowl: its proportions, scaled to each pitch.
     Bowl(Bowl),

@@ -1,5 +1,6 @@
 //! One object: its modes, and how they wake, change and fall asleep.
 
+mod heir;
 mod joined;
 mod pushed;
 mod tuned;
@@ -13,6 +14,7 @@ use super::grips;
 use super::oscillators::{LANES, Pack, Step, Tone};
 use super::source::{Hearing, Reached, Source, reached};
 use super::sympathy::Strand;
+use heir::Names;
 use pushed::MALLETS;
 use std::ops::Range;
 
@@ -35,6 +37,7 @@ pub(crate) struct Body {
     pub(crate) fading: Moved,
     tones: Vec<Tone>,
     sources: Vec<Source>,
+    names: Names,
     /// Leading packs that are heard through a resonator.
     piped: usize,
     /// φ·n̂ in kg^(−1/2), point by point and mode by mode.
@@ -85,6 +88,7 @@ impl Body {
             piped: usize::from(modes.iter().any(Reached::is_piped)),
             tones,
             sources,
+            names: Names::new(modes.iter().map(|mode| mode.label)),
             normal,
             points,
             mallets: std::array::from_fn(|_| Contact::new(packs)),
