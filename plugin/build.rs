@@ -1,4 +1,4 @@
-//! Builds the factory banks, or finds them built, and lists them for the crate.
+//! Builds the factory banks, or finds them built, and lists them and the presets for the crate.
 
 use modes::Recipe;
 use modes::factory::{Silent, cached};
@@ -24,9 +24,30 @@ fn main() -> Result<(), Box<dyn Error>> {
          const TITLES: [&str; COUNT] = [\n{titles}];\n"
     );
     std::fs::write(out.join("banks.rs"), list)?;
+    presets(&out)?;
     stay_loaded();
     println!("cargo::rerun-if-changed=build.rs");
     Ok(())
+}
+
+/// Lists the factory's presets in the order of their names.
+fn presets(out: &Path) -> Result<(), Box<dyn Error>> {
+    let folder = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../presets");
+    println!("cargo::rerun-if-changed={}", folder.display());
+    let mut paths = Vec::new();
+    for entry in std::fs::read_dir(&folder)? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|ending| ending == "toml") {
+            paths.push(path);
+        }
+    }
+    paths.sort();
+    let mut list = format!("const FILES: [Entry; {}] = [\n", paths.len());
+    for path in &paths {
+        let name = path.file_name().unwrap_or_default();
+        writeln!(list, "    ({name:?}, include_str!({path:?})),")?;
+    }
+    Ok(std::fs::write(out.join("presets.rs"), list + "];\n")?)
 }
 
 /// Hosts unload plug-ins while threads of theirs that have been inside still run; what such a thread

@@ -1,6 +1,8 @@
 //! What passes from the solver to the instrument: tuned bodies and their modes.
 
 mod check;
+mod check_spread;
+mod check_surface;
 mod error;
 mod file;
 mod format;
@@ -8,14 +10,23 @@ mod mirror;
 mod read;
 #[cfg(test)]
 mod sample;
+mod spread;
+#[cfg(test)]
+mod spread_tests;
+mod surface;
+#[cfg(test)]
+mod surface_tests;
 #[cfg(test)]
 mod tests;
 mod write;
 
 pub use error::{BankError, BankFileError};
+pub use spread::{Spread, SpreadRule, Zone};
+pub use surface::{Surface, SurfaceMotion};
 
-use crate::{Damping, Material, ModeLabel, StrikeLine};
+use crate::{Damping, Material, ModeLabel, ModeShape, StrikeLine};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// One instrument: a body for each key, all of one material.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +47,9 @@ pub struct Bank {
     pub provenance: Provenance,
     /// The bodies, by rising key.
     pub bodies: Vec<Body>,
+    /// How the bodies are given to keys; without, each is for its own. Engines play what
+    /// [`Bank::spread_out`] makes of it.
+    pub spread: Option<Spread>,
 }
 
 /// How a bank came about.
@@ -71,6 +85,8 @@ pub struct Body {
     pub mass_kg: f64,
     /// Where it is struck.
     pub line: StrikeLine,
+    /// What it looks like, and how it moves; shared with the other keys of one drawing.
+    pub surface: Option<Arc<Surface>>,
     /// Its modes, by rising frequency.
     pub modes: Vec<Mode>,
 }
@@ -105,7 +121,16 @@ pub struct Mode {
     /// The mode's name.
     pub label: ModeLabel,
     /// Mass-normalised displacement φ at each point of the strike line, in kg^(−1/2).
-    pub shape: Vec<[f32; 3]>,
+    pub shape: ModeShape,
+}
+
+impl Body {
+    /// What the points of [`Body::surface`] are to be multiplied by to be of this body's size.
+    #[must_use]
+    pub fn surface_scale(&self) -> f64 {
+        let drawn = self.surface.as_ref().map(|surface| surface.length_m);
+        drawn.map_or(1.0, |length_m| self.length_m / length_m)
+    }
 }
 
 impl Mode {

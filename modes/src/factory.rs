@@ -13,3 +13,4 @@ pub use build::{BuildError, build};
 pub use builder::{Builder, Finished};
 pub use cache::{Built, CacheError, cached};
 pub use progress::{Progress, Silent};
+pub(crate) use sound::{ears_m, sounding};

@@ -22,3 +22,4 @@ pub use meridian::Meridian;
 pub use pencil::{Pattern, Pencil};
 pub use tet4::TetMass;
 pub use tet10::TET10_EDGES;
+pub(crate) use tet10::{tet10_jacobians, tet10_volume};

@@ -17,13 +17,16 @@ mod equal_temperament;
 pub mod factory;
 #[cfg(feature = "solve")]
 pub mod fem;
-#[cfg(any(feature = "solve", test))]
 mod fnv;
+#[cfg(feature = "solve")]
+pub mod freeform;
+mod hash;
 mod label;
 mod material;
 mod materials;
 #[cfg(feature = "solve")]
 pub mod mesh;
+mod mode_shape;
 mod obrien_2002;
 #[cfg(feature = "solve")]
 pub mod radiation;
@@ -33,31 +36,39 @@ mod recipe;
 pub mod revolution;
 pub mod shape;
 #[cfg(feature = "solve")]
+pub mod solid;
+#[cfg(feature = "solve")]
 pub mod solve;
 #[cfg(feature = "solve")]
 mod solved;
-mod strike_line;
+mod strike;
 #[cfg(feature = "solve")]
 pub mod tube;
 pub mod tuning;
 
-pub use bank::{Bank, BankError, BankFileError, Body, Ears, Mode, Provenance};
+pub use bank::{
+    Bank, BankError, BankFileError, Body, Ears, Mode, Provenance, Spread, SpreadRule, Surface,
+    SurfaceMotion, Zone,
+};
 pub use code::CODE;
 pub use damping::{Damping, Motion, Rayleigh, t60_s};
 pub use equal_temperament::equal_temperament_hz;
+pub use hash::fnv1a;
 pub use label::{Family, Member, ModeLabel};
 pub use material::{Material, MaterialError};
 pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
+pub use mode_shape::ModeShape;
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
-    ImperfectionRecipe, ImperfectionSize, KeyRange, ListenerRecipe, LossRecipe, MeshRecipe, Recipe,
-    RecipeError, RecipeFileError, ResonatorRecipe, ShapeRecipe, TuningRecipe, Variation,
+    FreeFineness, FreeRecipe, FreeTuning, ImperfectionRecipe, ImperfectionSize, KeyRange,
+    ListenerRecipe, LossRecipe, MeshRecipe, MeshShape, Recipe, RecipeError, RecipeFileError,
+    ResonatorRecipe, ShapeRecipe, TunedMode, TuningRecipe, Variation,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;
 #[cfg(feature = "solve")]
 pub use solved::{SolvedBody, SolvedMode};
-pub use strike_line::{Stencil, StrikeLine};
+pub use strike::{Across, Spot, Stencil, StrikeGrid, StrikeLine};
 #[cfg(feature = "solve")]
 pub use tube::TuneError;

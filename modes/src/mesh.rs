@@ -1,14 +1,19 @@
 //! Nodes and the elements that join them.
 
 mod bar;
+mod blocks;
 mod cells;
 mod revolve;
+mod round;
 mod surface;
 mod tube;
 
 pub use bar::{BarGrid, BarPart, bar_hex20};
+pub use blocks::{Block, blocks_tet10, brick_tet10};
 pub use cells::{cells_hex20, hollow_cube_hex20};
 pub use revolve::revolve_hex20;
+pub use round::{ball_tet10, cylinder_tet10, hollow_ball_tet10};
+pub(crate) use surface::TET_FACES;
 pub use tube::{TubeGrid, tube_hex20, tube_tet4, tube_tet10};
 
 /// A volume mesh of one kind of element.

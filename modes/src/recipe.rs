@@ -2,12 +2,16 @@
 
 mod check;
 mod error;
+mod free;
+#[cfg(test)]
+mod free_tests;
 mod material;
 mod raw;
 mod together;
 mod vary;
 
 pub use error::{RecipeError, RecipeFileError};
+pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
 pub use vary::Variation;
 
 use crate::shape::Bowl;

@@ -54,15 +54,7 @@ impl SolvedBody {
         Self {
             length_m: factor * self.length_m,
             mass_kg: factor.powi(3) * self.mass_kg,
-            line: StrikeLine {
-                points_m: self
-                    .line
-                    .points_m
-                    .iter()
-                    .map(|p| p.map(|x| factor * x))
-                    .collect(),
-                normals: self.line.normals.clone(),
-            },
+            line: self.line.scaled(factor),
             surface: self.surface.scaled(factor),
             modes: self
                 .modes

@@ -41,7 +41,7 @@ fn bank(bodies: u8, modes: usize) -> Bank {
             .map(|i| {
                 let mut mode = first.clone();
                 mode.hz = 40.0 * 450f64.powf(i as f64 / modes as f64);
-                for (point, shape) in mode.shape.iter_mut().enumerate() {
+                for (point, shape) in mode.shape.make_mut().iter_mut().enumerate() {
                     let turn = (i + 1) as f64 * PI * point as f64 / (points - 1.0);
                     shape[0] = (height * turn.cos()) as f32;
                 }

@@ -20,7 +20,10 @@ pub const BANKS: [Entry; COUNT] = FILES;
 pub fn bank(index: usize) -> &'static Bank {
     static READ: [OnceLock<Bank>; COUNT] = [const { OnceLock::new() }; COUNT];
     let index = if index < COUNT { index } else { 0 };
-    READ[index].get_or_init(|| Bank::read(BANKS[index].1).expect("the bank is as it was built"))
+    READ[index].get_or_init(|| {
+        let bank = Bank::read(BANKS[index].1).expect("the bank is as it was built");
+        bank.spread_out()
+    })
 }
 
 /// The instruments' names for people.

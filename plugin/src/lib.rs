@@ -10,9 +10,13 @@ pub mod factory;
 mod guard;
 pub mod hands;
 mod notes;
+pub mod notices;
 pub mod params;
 mod player;
+pub mod presets;
 mod remote;
+pub mod shelf;
+mod song;
 mod stage;
 mod tuner;
 pub mod tuning;
@@ -30,6 +34,7 @@ use nice_plug::prelude::{
 };
 use params::Controls;
 use player::Player;
+use song::Song;
 use stage::Stage;
 use std::sync::Arc;
 use tuner::Tuner;
@@ -71,9 +76,10 @@ impl Plugin for Idiophone {
 
     fn params(&self) -> Arc<dyn Params> {
         #[cfg(feature = "gui")]
-        return self.desk.params(&self.controls);
+        let params = self.desk.params(&self.controls);
         #[cfg(not(feature = "gui"))]
-        return self.controls.clone();
+        let params = self.controls.clone();
+        Arc::new(Song::new(params, Arc::clone(&self.controls)))
     }
 
     #[cfg(feature = "gui")]
@@ -92,8 +98,11 @@ impl Plugin for Idiophone {
         _context: &mut impl ActivateContext<Self>,
     ) -> bool {
         let rate_hz = f64::from(buffer.sample_rate);
-        self.workshop = Some(Workshop::open(rate_hz));
-        let stage = Stage::new(self.controls.body.index(), rate_hz);
+        let shelf = self.controls.shelf();
+        self.workshop = Some(Workshop::open(Arc::clone(shelf), rate_hz));
+        let number = shelf.number(self.controls.body.index());
+        let mut stage = Stage::new(number, &shelf.bank(number), rate_hz);
+        stage.trim(&self.controls.trims().get());
         let stage = match buffer.process_mode {
             ProcessMode::Offline => stage.patient(),
             ProcessMode::Realtime | ProcessMode::Buffered => stage,
@@ -127,7 +136,8 @@ impl Plugin for Idiophone {
             return ProcessStatus::Normal;
         };
         if let Some(workshop) = &self.workshop {
-            player.stage().turn(self.controls.body.index(), workshop);
+            let number = self.controls.shelf().number(self.controls.body.index());
+            player.stage().turn(number, workshop);
         }
         #[cfg(feature = "gui")]
         let open = self.desk.is_open();

@@ -31,6 +31,7 @@ pub(crate) fn pages(controls: &Controls, context: &mut impl RemoteControlsContex
         });
         section.add_page("Strike", |page| {
             page.add_param(&strike.position);
+            page.add_param(&strike.across);
             page.add_param(&strike.from_velocity);
             page.add_param(&strike.scatter);
             page.add_param(&strike.velocity_range);

@@ -1,8 +1,8 @@
 //! The instrument that is struck, and those before it that still ring.
 
-use crate::engine::{Engine, GRID, Hit, Hold, Limiter, Settings};
-use crate::factory;
+use crate::engine::{Engine, GRID, Hit, Hold, Limiter, Settings, Trims};
 use crate::workshop::Bench;
+use modes::Bank;
 
 /// Instruments before the present one that may ring at the same time.
 const RINGING: usize = 4;
@@ -21,8 +21,8 @@ pub(crate) struct Stage {
     /// where it was asked for.
     patient: bool,
     present: Act,
-    index: usize,
-    /// The last index asked for.
+    number: usize,
+    /// The last number asked for.
     wanted: usize,
     ringing: [Option<Act>; RINGING],
     settings: Settings,
@@ -31,21 +31,23 @@ pub(crate) struct Stage {
     limits: bool,
     /// What hands do to each body, of whatever instrument.
     holds: [Hold; 128],
+    trims: Trims,
 }
 
 impl Stage {
-    /// The instrument of that index, at rest.
-    pub(crate) fn new(index: usize, rate_hz: f64) -> Self {
+    /// The instrument of a number, at rest.
+    pub(crate) fn new(number: usize, bank: &Bank, rate_hz: f64) -> Self {
         Self {
             patient: false,
-            present: Act::new(Box::new(Engine::new(factory::bank(index), rate_hz))),
-            index,
-            wanted: index,
+            present: Act::new(Box::new(Engine::new(bank, rate_hz))),
+            number,
+            wanted: number,
             ringing: [const { None }; RINGING],
             settings: Settings::default(),
             limiter: Limiter::new(1.0 / rate_hz),
             limits: true,
             holds: [Hold::FREE; 128],
+            trims: Trims::NONE,
         }
     }
 
@@ -57,10 +59,10 @@ impl Stage {
         }
     }
 
-    /// The instrument that is struck, and its index.
+    /// The instrument that is struck, and its number.
     #[cfg(feature = "gui")]
     pub(crate) fn present(&self) -> (usize, &Engine) {
-        (self.index, &self.present.engine)
+        (self.number, &self.present.engine)
     }
 
     /// Brings the wanted instrument on as soon as the workshop has it.
@@ -71,11 +73,11 @@ impl Stage {
         self.clear(bench);
         if wanted != self.wanted {
             self.wanted = wanted;
-            if wanted != self.index {
+            if wanted != self.number {
                 bench.ask(wanted);
             }
         }
-        if self.wanted == self.index {
+        if self.wanted == self.number {
             return;
         }
         let Some(slot) = self.ringing.iter().position(Option::is_none) else {
@@ -93,7 +95,7 @@ impl Stage {
             bench.fetch()
         };
         match ready {
-            Some((index, engine)) if index == self.wanted => self.enter(slot, index, engine),
+            Some((number, engine)) if number == self.wanted => self.enter(slot, number, engine),
             // Asked for before the last change of mind: it rings out at once, being silent.
             Some((_, engine)) => {
                 self.ringing[slot] = Some(Act::new(engine));
@@ -103,14 +105,15 @@ impl Stage {
         }
     }
 
-    fn enter(&mut self, slot: usize, index: usize, engine: Box<Engine>) {
+    fn enter(&mut self, slot: usize, number: usize, engine: Box<Engine>) {
         let mut act = Act::new(engine);
         act.engine.set(&self.settings);
+        act.engine.set_trims(&self.trims);
         for (body, hold) in (0..).zip(&self.holds) {
             act.hold(body, hold);
         }
         self.ringing[slot] = Some(std::mem::replace(&mut self.present, act));
-        self.index = index;
+        self.number = number;
     }
 
     /// Hands over what has rung out; the others move up, the oldest first.
@@ -152,6 +155,12 @@ impl Stage {
         };
         self.settings = settings;
         self.each(|engine| engine.set(&settings));
+    }
+
+    /// What is made of single modes of all.
+    pub(crate) fn trim(&mut self, trims: &Trims) {
+        self.trims = *trims;
+        self.each(|engine| engine.set_trims(trims));
     }
 
     /// The keys for which the present instrument has bodies, as bits.
@@ -246,153 +255,4 @@ fn add(sum: &mut [f32], more: &[f32]) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::workshop::Workshop;
-
-    fn render(stage: &mut Stage, frames: usize) -> Vec<f32> {
-        let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
-        stage.process(&mut left, &mut right);
-        left
-    }
-
-    /// Greatest step from sample to sample.
-    fn step(signal: &[f32]) -> f32 {
-        signal
-            .windows(2)
-            .fold(0.0, |most, pair| most.max((pair[1] - pair[0]).abs()))
-    }
-
-    #[test]
-    fn what_rings_rings_out_when_the_instrument_changes() {
-        let bench = Bench::new(48_000.0);
-        let (mut stage, mut twin) = (Stage::new(0, 48_000.0), Stage::new(0, 48_000.0));
-        for stage in [&mut stage, &mut twin] {
-            stage.hit(60, &Hit::plain(0.8));
-            render(stage, 1000);
-        }
-        stage.turn(1, &bench);
-        assert!(bench.work(), "asked for");
-        stage.turn(1, &bench);
-        assert!(!bench.work(), "once");
-        assert_eq!(stage.index, 1);
-        assert_eq!(render(&mut stage, 1000), render(&mut twin, 1000));
-        stage.hit(60, &Hit::plain(0.5));
-        let both = render(&mut stage, 4800);
-        assert!(step(&both) < 0.05, "{}", step(&both));
-        stage.each(Engine::choke_all);
-        render(&mut stage, 48_000);
-        assert_eq!(stage.awake(), 0);
-        stage.turn(1, &bench);
-        assert!(stage.ringing.iter().all(Option::is_none));
-        assert!(bench.work(), "taken apart");
-    }
-
-    #[test]
-    fn all_instruments_together_stay_below_full_scale() {
-        let bench = Bench::new(48_000.0);
-        let loud = |limiter| {
-            let mut stage = Stage::new(0, 48_000.0);
-            stage.set(&Settings {
-                gain_db: 12.0,
-                limiter,
-                ..Settings::default()
-            });
-            let mut most = 0.0;
-            for wanted in [1, 0] {
-                for key in 60..72 {
-                    stage.hit(key, &Hit::plain(1.0));
-                }
-                stage.turn(wanted, &bench);
-                bench.work();
-                stage.turn(wanted, &bench);
-                let sound = render(&mut stage, 4800);
-                most = sound.iter().fold(most, |most: f32, x| most.max(x.abs()));
-            }
-            most
-        };
-        assert!(loud(false) > 1.0, "{}", loud(false));
-        assert!(loud(true) <= 1.0, "{}", loud(true));
-    }
-
-    #[test]
-    fn a_bow_stays_on_the_instrument_that_it_was_laid_on() {
-        let bench = Bench::new(48_000.0);
-        let mut stage = Stage::new(3, 48_000.0);
-        let pressed = Hold {
-            bow_pressure: 1.0,
-            ..Hold::FREE
-        };
-        stage.hold(60, &pressed);
-        render(&mut stage, 4800);
-        assert_eq!(stage.awake(), 0, "not struck yet");
-        stage.hit(60, &Hit::plain(0.1));
-        stage.hold(60, &pressed);
-        stage.turn(4, &bench);
-        bench.work();
-        stage.turn(4, &bench);
-        assert_eq!(stage.index, 4);
-        stage.hold(60, &pressed);
-        render(&mut stage, 4800);
-        assert_eq!(stage.present.engine.awake(), 0);
-        assert_eq!(stage.awake(), 1 << 60);
-    }
-
-    #[test]
-    fn a_patient_stage_turns_at_once() {
-        let workshop = Workshop::open(48_000.0);
-        let mut stage = Stage::new(0, 48_000.0).patient();
-        for wanted in [1, 2, 0] {
-            stage.turn(wanted, &workshop);
-            assert_eq!(stage.index, wanted);
-        }
-    }
-
-    #[test]
-    fn hasty_turns_sound_the_same_every_time() {
-        let render = || {
-            let workshop = Workshop::open(48_000.0);
-            let mut stage = Stage::new(0, 48_000.0).patient();
-            (0u8..60)
-                .flat_map(|turn| {
-                    stage.turn(usize::from(turn) * 5 % 7, &workshop);
-                    stage.hit(60 + turn % 12, &Hit::plain(0.9));
-                    if turn % 9 == 0 {
-                        stage.each(Engine::choke_all);
-                    }
-                    render(&mut stage, 480)
-                })
-                .collect::<Vec<_>>()
-        };
-        let first = render();
-        assert!((0..4).all(|_| render() == first));
-    }
-
-    #[test]
-    fn a_change_of_mind_gets_the_last_wish_and_many_changes_wait_for_silence() {
-        let bench = Bench::new(48_000.0);
-        let mut stage = Stage::new(0, 48_000.0);
-        stage.turn(1, &bench);
-        bench.work();
-        stage.turn(2, &bench);
-        assert_eq!(stage.index, 0, "the first is no longer wanted");
-        for _ in 0..2 {
-            bench.work();
-            stage.turn(2, &bench);
-        }
-        assert_eq!(stage.index, 2);
-        for turn in 0..10 {
-            let wanted = if turn % 2 == 0 { 3 } else { 4 };
-            stage.hit(60, &Hit::plain(1.0));
-            render(&mut stage, 64);
-            let mut patience = 0;
-            while stage.index != wanted && patience < 100 {
-                stage.turn(wanted, &bench);
-                bench.work();
-                render(&mut stage, 4800);
-                patience += 1;
-            }
-        }
-        assert_eq!(stage.index, 4);
-    }
-}
+mod tests;

@@ -4,7 +4,7 @@
 //! gone, and then aborts the host.
 
 use crate::engine::Engine;
-use crate::factory;
+use crate::shelf::Shelf;
 use crossbeam_queue::ArrayQueue;
 use std::ops::Deref;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -21,7 +21,7 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// No instrument is asked for.
 const NONE: usize = usize::MAX;
 
-/// An engine and the index of its bank.
+/// An engine and the number of its bank.
 pub(crate) type Ready = (usize, Box<Engine>);
 
 /// What the audio thread and the workshop hand each other, without locks.
@@ -31,25 +31,27 @@ pub(crate) struct Bench {
     spent: ArrayQueue<Box<Engine>>,
     closing: AtomicBool,
     worker: OnceLock<Thread>,
+    shelf: Arc<Shelf>,
     rate_hz: f64,
 }
 
 impl Bench {
-    /// For instruments at `rate_hz`; without a thread, [`Bench::work`] does the work.
-    pub(crate) fn new(rate_hz: f64) -> Self {
+    /// For instruments from a shelf at `rate_hz`; without a thread, [`Bench::work`] does the work.
+    pub(crate) fn new(shelf: Arc<Shelf>, rate_hz: f64) -> Self {
         Self {
             asked: AtomicUsize::new(NONE),
             ready: ArrayQueue::new(1),
             spent: ArrayQueue::new(SPENT),
             closing: AtomicBool::new(false),
             worker: OnceLock::new(),
+            shelf,
             rate_hz,
         }
     }
 
-    /// Asks for the instrument of that index, instead of the one asked for before.
-    pub(crate) fn ask(&self, index: usize) {
-        self.asked.store(index, Ordering::Release);
+    /// Asks for the instrument of that number, instead of the one asked for before.
+    pub(crate) fn ask(&self, number: usize) {
+        self.asked.store(number, Ordering::Release);
         self.wake();
     }
 
@@ -58,11 +60,11 @@ impl Bench {
         self.ready.pop()
     }
 
-    /// Blocks until the instrument of that index, which was asked for, is ready; `None` if that
+    /// Blocks until the instrument of that number, which was asked for, is ready; `None` if that
     /// takes too long. Any other, made before the last change of mind, is taken apart.
     pub(crate) fn wait(&self, wanted: usize) -> Option<Ready> {
         patiently(|| match self.fetch() {
-            Some((index, engine)) if index != wanted => {
+            Some((number, engine)) if number != wanted => {
                 // Without a thread to take it, it is dropped here.
                 let _ = self.discard_surely(engine);
                 None
@@ -100,11 +102,11 @@ impl Bench {
         while self.spent.pop().is_some() {
             busy = true;
         }
-        let index = self.asked.swap(NONE, Ordering::AcqRel);
-        if index != NONE {
-            let engine = Box::new(Engine::new(factory::bank(index), self.rate_hz));
+        let number = self.asked.swap(NONE, Ordering::AcqRel);
+        if number != NONE {
+            let engine = Box::new(Engine::new(&self.shelf.bank(number), self.rate_hz));
             // One that was not fetched is no longer wanted.
-            drop(self.ready.force_push((index, engine)));
+            drop(self.ready.force_push((number, engine)));
             busy = true;
         }
         busy
@@ -130,9 +132,9 @@ pub(crate) struct Workshop {
 }
 
 impl Workshop {
-    /// For instruments at `rate_hz`. Without a thread to be had, instruments do not change.
-    pub(crate) fn open(rate_hz: f64) -> Self {
-        let bench = Arc::new(Bench::new(rate_hz));
+    /// For instruments from a shelf at `rate_hz`. Without a thread to be had, instruments do not change.
+    pub(crate) fn open(shelf: Arc<Shelf>, rate_hz: f64) -> Self {
+        let bench = Arc::new(Bench::new(shelf, rate_hz));
         let there = Arc::clone(&bench);
         let thread = thread::Builder::new()
             .name("idiophone workshop".to_owned())
@@ -175,7 +177,7 @@ mod tests {
 
     #[test]
     fn an_open_workshop_delivers_and_closes() {
-        let workshop = Workshop::open(48_000.0);
+        let workshop = Workshop::open(Arc::default(), 48_000.0);
         workshop.ask(2);
         workshop.ask(1);
         let start = Instant::now();

@@ -67,7 +67,7 @@ pub(crate) fn precompute(name: &str, force: bool) -> Result<Built> {
     })
     .with_context(|| name.to_owned())?;
     Ok(Built {
-        bank: built.bank,
+        bank: built.bank.spread_out(),
         path: built.path,
         seconds: (!built.found).then(|| start.elapsed().as_secs_f64()),
     })

@@ -10,6 +10,7 @@ mod install;
 mod params;
 mod pencil;
 mod precompute;
+mod presets;
 mod render;
 mod spectrogram;
 mod tuning;
@@ -24,6 +25,7 @@ pub use install::Install;
 pub use params::Params;
 pub use pencil::Pencil;
 pub use precompute::Precompute;
+pub use presets::Presets;
 pub use render::Render;
 pub use spectrogram::Spectrogram;
 pub use tuning::Tuning;
@@ -46,6 +48,8 @@ pub enum Command {
     Render(Render),
     /// List the plug-in's parameters
     Params(Params),
+    /// List the factory's presets, or hold their loudness against each other's
+    Presets(Presets),
     /// Show what is in a bank
     Bank(Bank),
     /// Write a body's stiffness and mass matrices as Matrix Market files
@@ -76,6 +80,7 @@ impl Command {
             Self::Install(command) => command.run(),
             Self::Render(command) => command.run(),
             Self::Params(command) => command.run(),
+            Self::Presets(command) => command.run(),
             Self::Bank(command) => command.run(),
             Self::Export(command) => command.run(),
             Self::Pencil(command) => command.run(),

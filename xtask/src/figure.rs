@@ -7,4 +7,5 @@ mod names;
 mod picture;
 
 pub use dots::STRIKE_POSITION;
+pub(crate) use dots::pressure_pa;
 pub(crate) use picture::draw;

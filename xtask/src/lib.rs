@@ -9,7 +9,10 @@ pub mod spectrogram;
 
 mod banks;
 mod canvas;
+mod faust;
+mod loudness;
 mod matrix_market;
+mod mesh_bank;
 mod note;
 mod output;
 mod progress;

@@ -172,3 +172,31 @@ fn tuning_names_the_file_and_the_line() {
     );
     assert!(!out.exists());
 }
+
+#[test]
+fn precompute_refuses_meshes_that_are_none() {
+    let dir = tempfile::tempdir().unwrap();
+    let missing = dir.path().join("none.obj");
+    let flat = dir.path().join("flat.obj");
+    std::fs::write(&flat, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let out = dir.path().join("out.bank");
+    let (missing, flat, path) = (
+        missing.to_str().unwrap(),
+        flat.to_str().unwrap(),
+        out.to_str().unwrap(),
+    );
+    let mesh = ["precompute", "-o", path, "--mesh"];
+    let with = |rest: &[&'static str]| [&mesh[..], &[flat], rest].concat();
+    assert_says(
+        &[&mesh[..], &[missing]].concat(),
+        &["none.obj: cannot read"],
+    );
+    assert_says(&with(&[]), &["flat.obj: "]);
+    assert_says(
+        &with(&["--size", "-1"]),
+        &["body.size_m is -1", "0.001 to 10"],
+    );
+    assert_says(&with(&["--by", "colour"]), &["\"colour\"", "\"stiffness\""]);
+    assert_says(&with(&["--keys", "90", "20"]), &["keys.high is 20"]);
+    assert!(!out.exists());
+}

@@ -1,5 +1,6 @@
 //! Whether a bank is one that can be played.
 
+use super::check_surface::check_surface;
 use super::{Bank, BankError, Body, Mode};
 use crate::{Stencil, StrikeLine};
 
@@ -42,15 +43,21 @@ impl Bank {
             least_key = u16::from(body.key) + 1;
             check_body(body).map_err(|error| error.within(format!("key {}", body.key)))?;
         }
-        Ok(())
+        match &self.spread {
+            Some(spread) => self.check_spread(spread),
+            None => Ok(()),
+        }
     }
 }
 
-fn check_body(body: &Body) -> Result<(), BankError> {
+pub(super) fn check_body(body: &Body) -> Result<(), BankError> {
     positive("pitch_hz", body.pitch_hz)?;
     positive("length_m", body.length_m)?;
     positive("mass_kg", body.mass_kg)?;
     check_line(&body.line)?;
+    if let Some(surface) = &body.surface {
+        check_surface(surface)?;
+    }
     let mut least_hz = 0.0;
     for (i, mode) in body.modes.iter().enumerate() {
         check_mode(mode, least_hz, body.line.len())
@@ -61,8 +68,12 @@ fn check_body(body: &Body) -> Result<(), BankError> {
 }
 
 fn check_line(line: &StrikeLine) -> Result<(), BankError> {
-    if line.len() < Stencil::POINTS {
-        let allowed = "at least 6, to interpolate between them";
+    if line.rows == 0 || !line.len().is_multiple_of(line.rows) {
+        let allowed = "at least 1, of equally many points";
+        return Err(BankError::inconsistent("rows", line.rows, allowed));
+    }
+    if line.grid().columns < Stencil::POINTS {
+        let allowed = "at least 6 to a row, to interpolate between them";
         return Err(BankError::inconsistent("points", line.len(), allowed));
     }
     if line.normals.len() != line.len() {
@@ -131,7 +142,7 @@ fn check_mode(mode: &Mode, least_hz: f64, points: usize) -> Result<(), BankError
     Ok(())
 }
 
-fn positive(field: &str, x: f64) -> Result<(), BankError> {
+pub(super) fn positive(field: &str, x: f64) -> Result<(), BankError> {
     if x > 0.0 && x.is_finite() {
         return Ok(());
     }

@@ -10,16 +10,20 @@
 //! | 28… | [`Header`] as JSON |
 //! | then | a section for each body, holding [`ARRAYS`] one after the other |
 //!
+//! Version 2 is the same without rows, surfaces and spread.
+//!
 //! Numbers are little-endian. The first 24 bytes stay as they are in every version.
 
-use super::Provenance;
+use super::{Provenance, Spread};
 use crate::{Damping, Family, Material, Member};
 use serde::{Deserialize, Serialize};
 
 /// Starts every bank. The bytes around the letters show a file that was mangled as text.
 pub(super) const MAGIC: [u8; 8] = *b"\x89IDBK\r\n\x1a";
 /// The version written, and the newest read.
-pub(super) const VERSION: u32 = 2;
+pub(super) const VERSION: u32 = 3;
+/// The oldest version read.
+pub(super) const OLDEST: u32 = 2;
 /// Bytes up to and with the checksum.
 pub(super) const PRELUDE_LEN: usize = 24;
 /// Where the checksum stands.
@@ -38,6 +42,8 @@ pub(super) struct Header {
     pub(super) damping: Damping,
     pub(super) ears_m: [[f64; 3]; 2],
     pub(super) provenance: Provenance,
+    #[serde(default)]
+    pub(super) spread: Option<Spread>,
     pub(super) bodies: Vec<BodyEntry>,
     pub(super) arrays: Vec<ArrayEntry>,
 }
@@ -56,7 +62,35 @@ pub(super) struct BodyEntry {
     pub(super) mass_kg: f64,
     pub(super) modes: u64,
     pub(super) points: u64,
+    #[serde(default = "one")]
+    pub(super) rows: u64,
+    #[serde(default)]
+    pub(super) closed: bool,
+    #[serde(default)]
+    pub(super) surface: Option<SurfaceEntry>,
     pub(super) offset: u64,
+}
+
+fn one() -> u64 {
+    1
+}
+
+/// A body's surface in the header.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SurfaceEntry {
+    pub(super) length_m: f64,
+    pub(super) points: u64,
+    pub(super) triangles: u64,
+    pub(super) motions: u64,
+}
+
+impl Header {
+    /// Whether it has what version 2 did not.
+    pub(super) fn is_newer_than_2(&self) -> bool {
+        let newer = |body: &BodyEntry| body.rows != 1 || body.closed || body.surface.is_some();
+        self.spread.is_some() || self.bodies.iter().any(newer)
+    }
 }
 
 /// An array of a body's section, described in the header.
@@ -69,7 +103,7 @@ pub(super) struct ArrayEntry {
 }
 
 /// Name, elements and unit of the arrays of a section, in their order.
-pub(super) const ARRAYS: [[&str; 3]; 9] = [
+pub(super) const ARRAYS: [[&str; 3]; 13] = [
     ["points", "f64[points][3]", "m"],
     ["normals", "f64[points][3]", "1"],
     ["hz", "f64[modes]", "Hz"],
@@ -100,6 +134,14 @@ pub(super) const ARRAYS: [[&str; 3]; 9] = [
         "[modes][stored components] f32[stored points]",
         "kg^(-1/2)",
     ],
+    ["surface points", "f32[surface points][3]", "m"],
+    ["surface triangles", "u32[triangles][3]", "1"],
+    ["surface step", "f32[motions]", "kg^(-1/2)"],
+    [
+        "surface motion",
+        "i8[motions][surface points][3]",
+        "surface step",
+    ],
 ];
 
 /// Bytes of a point with its normal.
@@ -108,14 +150,20 @@ pub(super) const POINT_LEN: u64 = 48;
 pub(super) const MODE_LEN: u64 = 79;
 /// Bytes of a mode's ears and rates.
 pub(super) const AIR_LEN: usize = 48;
+/// Bytes of a surface's point, of its triangle and of a motion without its points.
+pub(super) const SURFACE_LENS: [u64; 3] = [12, 12, 4];
+/// Bytes of a surface's point in motion.
+pub(super) const MOTION_LEN: u64 = 3;
 
-pub(super) fn described_arrays() -> Vec<ArrayEntry> {
+/// The arrays of a section in a file of `version`.
+pub(super) fn described_arrays(version: u32) -> Vec<ArrayEntry> {
+    let count = if version < 3 { 9 } else { ARRAYS.len() };
     let entry = |[name, elements, unit]: [&str; 3]| ArrayEntry {
         name: name.to_owned(),
         elements: elements.to_owned(),
         unit: unit.to_owned(),
     };
-    ARRAYS.map(entry).into()
+    ARRAYS.into_iter().take(count).map(entry).collect()
 }
 
 /// CRC-32 of a file but for the checksum itself.

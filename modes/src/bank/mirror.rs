@@ -17,7 +17,7 @@ impl Stored {
     /// A shape that has not one value for each of the line's `points` is stored as it is, for the
     /// reader to refuse.
     pub(super) fn of(mode: &Mode, points: usize) -> Self {
-        let shape = &mode.shape;
+        let shape: Vec<[f32; 3]> = mode.shape.iter().collect();
         let whole = shape.len();
         let moves = |c: usize| shape.iter().any(|phi| phi[c] != 0.0);
         let components = (0..3).fold(0, |bits, c| bits | u8::from(moves(c)) << c);

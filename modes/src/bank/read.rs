@@ -1,12 +1,15 @@
 //! Bytes to a bank, whatever the bytes.
 
+use super::check_surface::check_motions;
 use super::format::{
     AIR_LEN, BodyEntry, CHECKSUM_AT, FAMILIES, FORMAT, Header, MAGIC, MAX_LEN, MEMBERS, MODE_LEN,
-    POINT_LEN, PRELUDE_LEN, VERSION, checksum, described_arrays,
+    MOTION_LEN, OLDEST, POINT_LEN, PRELUDE_LEN, SURFACE_LENS, SurfaceEntry, VERSION, checksum,
+    described_arrays,
 };
 use super::mirror::Stored;
-use super::{Bank, BankError, Body, Mode};
-use crate::{ModeLabel, StrikeLine};
+use super::{Bank, BankError, Body, Mode, Surface, SurfaceMotion};
+use crate::{ModeLabel, ModeShape, StrikeLine};
+use std::sync::Arc;
 
 impl Bank {
     /// The bank that `file` is the content of.
@@ -25,10 +28,11 @@ impl Bank {
         if found > expected || checksum(file) != u32_at(file, CHECKSUM_AT) {
             return Err(BankError::Corrupted);
         }
-        match u32_at(file, MAGIC.len()) {
-            VERSION => {}
-            1 => return Err(BankError::PastVersion { found: 1 }),
+        let version = u32_at(file, MAGIC.len());
+        match version {
+            OLDEST..=VERSION => {}
             0 => return Err(BankError::inconsistent("format version", 0, "at least 1")),
+            1..OLDEST => return Err(BankError::PastVersion { found: version }),
             found => {
                 return Err(BankError::FutureVersion {
                     found,
@@ -49,7 +53,8 @@ impl Bank {
                 .collect();
             BankError::inconsistent("header", line, "as this version writes it")
         })?;
-        if header.format != FORMAT || header.arrays != described_arrays() {
+        let newer = version == OLDEST && header.is_newer_than_2();
+        if newer || header.format != FORMAT || header.arrays != described_arrays(version) {
             return Err(BankError::inconsistent(
                 "header",
                 "a description of another layout",
@@ -64,6 +69,7 @@ impl Bank {
             ears_m: header.ears_m,
             provenance: header.provenance,
             bodies: read_bodies(&header.bodies, content)?,
+            spread: header.spread,
         };
         bank.check()?;
         Ok(bank)
@@ -127,6 +133,8 @@ fn read_body(entry: &BodyEntry, sections: &mut Reader) -> Result<Body, BankError
     let line = StrikeLine {
         points_m: arrays.vectors(points),
         normals: arrays.vectors(points),
+        rows: usize::try_from(entry.rows).unwrap_or(usize::MAX),
+        closed: entry.closed,
     };
     let mut arrays = sections.counted("modes", entry.modes, MODE_LEN)?;
     let count = arrays.0.len() / MODE_LEN as usize;
@@ -148,19 +156,22 @@ fn read_body(entry: &BodyEntry, sections: &mut Reader) -> Result<Body, BankError
             pipe_per_s: rates[3],
             residual: residual[i],
             label: label.map_err(|error| error.within(format!("mode {}", i + 1)))?,
-            shape: Vec::new(),
+            shape: ModeShape::from(Vec::new()),
         });
     }
     for (i, (mode, &bits)) in modes.iter_mut().zip(components).enumerate() {
         mode.shape = shape(bits, line.len(), sections)
             .map_err(|error| error.within(format!("mode {}", i + 1)))?;
     }
+    let surface = entry.surface.as_ref();
+    let surface = surface.map(|entry| surface_of(entry, sections).map(Arc::new));
     Ok(Body {
         key: entry.key,
         pitch_hz: entry.pitch_hz,
         length_m: entry.length_m,
         mass_kg: entry.mass_kg,
         line,
+        surface: surface.transpose()?,
         modes,
     })
 }
@@ -180,7 +191,7 @@ fn label(bytes: &[u8]) -> Result<ModeLabel, BankError> {
     })
 }
 
-fn shape(bits: u8, points: usize, sections: &mut Reader) -> Result<Vec<[f32; 3]>, BankError> {
+fn shape(bits: u8, points: usize, sections: &mut Reader) -> Result<ModeShape, BankError> {
     let stored = Stored::from_bits(bits, points)?;
     let mut values = Reader(sections.slice("shape", stored.len())?);
     let mut shape = vec![[0.0; 3]; points];
@@ -194,7 +205,31 @@ fn shape(bits: u8, points: usize, sections: &mut Reader) -> Result<Vec<[f32; 3]>
         }
     }
     stored.complete(&mut shape);
-    Ok(shape)
+    Ok(shape.into())
+}
+
+fn surface_of(entry: &SurfaceEntry, sections: &mut Reader) -> Result<Surface, BankError> {
+    let [point, triangle, motion] = SURFACE_LENS;
+    let points = sections.counted("surface points", entry.points, point)?;
+    let triangles = sections.counted("surface triangles", entry.triangles, triangle)?;
+    let steps = sections.counted("surface motions", entry.motions, motion)?;
+    check_motions(steps.0.len() / motion as usize)?;
+    let points_m: Vec<[f32; 3]> = points.words(f32::from_le_bytes).as_chunks().0.to_vec();
+    let moving = MOTION_LEN * points_m.len() as u64;
+    let motions = steps.words(f32::from_le_bytes).into_iter().map(|step| {
+        let bytes = sections.slice("surface motion", moving)?;
+        let points = bytes.as_chunks().0.iter();
+        Ok(SurfaceMotion {
+            step,
+            points: points.map(|u: &[u8; 3]| u.map(u8::cast_signed)).collect(),
+        })
+    });
+    Ok(Surface {
+        length_m: entry.length_m,
+        motions: motions.collect::<Result<_, BankError>>()?,
+        points_m,
+        triangles: triangles.words(u32::from_le_bytes).as_chunks().0.to_vec(),
+    })
 }
 
 /// Ears and rates of mode `i`.
@@ -243,6 +278,16 @@ impl<'a> Reader<'a> {
         let bytes = self.0.split_off(..8 * count).unwrap_or_default();
         let numbers = bytes.as_chunks().0.iter();
         numbers.map(|&bytes| f64::from_le_bytes(bytes)).collect()
+    }
+
+    /// All that is left, four bytes at a time.
+    fn words<T>(&self, word: impl Fn([u8; 4]) -> T) -> Vec<T> {
+        self.0
+            .as_chunks()
+            .0
+            .iter()
+            .map(|&bytes| word(bytes))
+            .collect()
     }
 
     fn vectors(&mut self, count: usize) -> Vec<[f64; 3]> {

@@ -1,7 +1,8 @@
 //! A small bank for tests.
 
-use super::{Bank, Body, Mode, Provenance};
+use super::{Bank, Body, Mode, Provenance, Spread, SpreadRule, Surface, SurfaceMotion, Zone};
 use crate::{Damping, Family, Material, Member, ModeLabel, Rayleigh, StrikeLine};
+use std::sync::Arc;
 
 /// Two bodies, of which the second has partners that vanish in some components at the line.
 pub(super) fn bank() -> Bank {
@@ -30,6 +31,7 @@ pub(super) fn bank() -> Bank {
             max_residual: 0.1 + 0.2,
             max_orthonormality_error: f64::MIN_POSITIVE,
         },
+        spread: None,
         bodies: vec![
             body(36, vec![]),
             body(
@@ -44,16 +46,62 @@ pub(super) fn bank() -> Bank {
     }
 }
 
+/// One body struck on two rows of points, drawn as a tetrahedron, for three octaves of keys.
+pub(super) fn grid_bank() -> Bank {
+    let wave = |s: f32| [1.0 + s, 0.5, -s];
+    let mut modes = vec![
+        mode(200.0, Family::Other, Member::Single, wave),
+        mode(300.0, Family::Other, Member::Single, |s| [s, 1.0, 0.0]),
+        mode(6000.0, Family::Other, Member::Single, |s| [s, 0.0, 0.0]),
+    ];
+    for mode in &mut modes {
+        mode.shape = mode.shape.iter().chain(mode.shape.iter().rev()).collect();
+        (mode.pipe_ears, mode.pipe_per_s) = ([[0.0; 2]; 2], 0.0);
+    }
+    let mut body = body(60, modes);
+    body.line.points_m.extend_from_within(..);
+    body.line.normals.extend_from_within(..);
+    (body.line.rows, body.line.closed) = (2, true);
+    let motion = |sign: f32| {
+        SurfaceMotion::of(&[
+            [sign, 0.0, 0.5],
+            [0.0; 3],
+            [0.25, -1.0, 0.0],
+            [0.0, 0.1, -0.1],
+        ])
+    };
+    body.surface = Some(Arc::new(Surface {
+        length_m: body.length_m,
+        points_m: vec![[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]],
+        triangles: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
+        motions: vec![motion(1.0), motion(-0.5)],
+    }));
+    Bank {
+        bodies: vec![body],
+        spread: Some(Spread {
+            rule: SpreadRule::Size,
+            a4_hz: 442.0,
+            zones: vec![Zone {
+                low: 48,
+                high: 84,
+                tuned: 1,
+            }],
+        }),
+        ..bank()
+    }
+}
+
 fn body(key: u8, modes: Vec<Mode>) -> Body {
     Body {
         key,
         pitch_hz: 440.0 * f64::from(key),
         length_m: 0.1 + 0.2,
         mass_kg: 1.0 / 3.0,
-        line: StrikeLine {
-            points_m: (0..6).map(|i| [0.0125, 0.0, f64::from(i) / 7.0]).collect(),
-            normals: vec![[1.0, 0.0, 0.0]; 6],
-        },
+        line: StrikeLine::single(
+            (0..6).map(|i| [0.0125, 0.0, f64::from(i) / 7.0]).collect(),
+            vec![[1.0, 0.0, 0.0]; 6],
+        ),
+        surface: None,
         modes,
     }
 }

@@ -1,11 +1,11 @@
 //! A bank to bytes.
 
 use super::format::{
-    BodyEntry, CHECKSUM_AT, FORMAT, Header, MAGIC, MODE_LEN, POINT_LEN, PRELUDE_LEN, VERSION,
-    checksum, described_arrays, family_number, member_number,
+    BodyEntry, CHECKSUM_AT, FORMAT, Header, MAGIC, MODE_LEN, MOTION_LEN, POINT_LEN, PRELUDE_LEN,
+    SURFACE_LENS, SurfaceEntry, VERSION, checksum, described_arrays, family_number, member_number,
 };
 use super::mirror::Stored;
-use super::{Bank, Body, Mode};
+use super::{Bank, Body, Mode, Spread, Surface};
 use crate::{Damping, Material, Provenance, Rayleigh};
 
 impl Bank {
@@ -47,6 +47,9 @@ impl Bank {
                 mass_kg: plain(body.mass_kg),
                 modes: body.modes.len() as u64,
                 points: body.line.len() as u64,
+                rows: body.line.rows as u64,
+                closed: body.line.closed,
+                surface: body.surface.as_deref().map(surface_entry),
                 offset,
             });
             offset += section_len(body);
@@ -74,8 +77,12 @@ impl Bank {
                 max_orthonormality_error: plain(self.provenance.max_orthonormality_error),
                 ..self.provenance.clone()
             },
+            spread: self.spread.as_ref().map(|spread| Spread {
+                a4_hz: plain(spread.a4_hz),
+                ..spread.clone()
+            }),
             bodies,
-            arrays: described_arrays(),
+            arrays: described_arrays(VERSION),
         }
     }
 }
@@ -92,7 +99,27 @@ fn section_len(body: &Body) -> u64 {
         .iter()
         .map(|mode| Stored::of(mode, body.line.len()).len())
         .sum();
-    POINT_LEN * points + MODE_LEN * body.modes.len() as u64 + shapes
+    let surface = body.surface.as_deref().map_or(0, surface_len);
+    POINT_LEN * points + MODE_LEN * body.modes.len() as u64 + shapes + surface
+}
+
+fn surface_entry(surface: &Surface) -> SurfaceEntry {
+    SurfaceEntry {
+        length_m: plain(surface.length_m),
+        points: surface.points_m.len() as u64,
+        triangles: surface.triangles.len() as u64,
+        motions: surface.motions.len() as u64,
+    }
+}
+
+fn surface_len(surface: &Surface) -> u64 {
+    let entry = surface_entry(surface);
+    let [point, triangle, motion] = SURFACE_LENS;
+    let moving: usize = surface.motions.iter().map(|m| m.points.len()).sum();
+    point * entry.points
+        + triangle * entry.triangles
+        + motion * entry.motions
+        + MOTION_LEN * moving as u64
 }
 
 fn write_body(body: &Body, file: &mut Vec<u8>) {
@@ -117,10 +144,28 @@ fn write_body(body: &Body, file: &mut Vec<u8>) {
     file.extend(stored.iter().map(Stored::bits));
     for (mode, stored) in body.modes.iter().zip(&stored) {
         for c in stored.components() {
-            for phi in &mode.shape[..stored.points()] {
+            for phi in mode.shape.iter().take(stored.points()) {
                 file.extend((phi[c] + 0.0).to_le_bytes());
             }
         }
+    }
+    if let Some(surface) = &body.surface {
+        write_surface(surface, file);
+    }
+}
+
+fn write_surface(surface: &Surface, file: &mut Vec<u8>) {
+    for x in surface.points_m.iter().flatten() {
+        file.extend((x + 0.0).to_le_bytes());
+    }
+    for corner in surface.triangles.iter().flatten() {
+        file.extend(corner.to_le_bytes());
+    }
+    for motion in &surface.motions {
+        file.extend((motion.step + 0.0).to_le_bytes());
+    }
+    for motion in &surface.motions {
+        file.extend(motion.points.iter().flatten().flat_map(|x| x.to_le_bytes()));
     }
 }
 

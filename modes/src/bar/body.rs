@@ -276,12 +276,12 @@ fn along_line(quarter: &Quarter, bar: &Bar, vector: &[f64], samples: usize) -> V
 
 /// Points and normals of the top, from the middle, where bars are struck, to an end.
 fn strike_line(bar: &Bar, samples: usize) -> StrikeLine {
-    StrikeLine {
-        points_m: (0..samples)
+    StrikeLine::single(
+        (0..samples)
             .map(|i| [sample_m(bar, i, samples), STRUCK_ASIDE * bar.width_m, 0.0])
             .collect(),
-        normals: vec![[0.0, 0.0, 1.0]; samples],
-    }
+        vec![[0.0, 0.0, 1.0]; samples],
+    )
 }
 
 /// Signs of x and y in the four quarters.

@@ -3,7 +3,8 @@
 use super::BuildError;
 use super::bowls::{Bowls, imperfection};
 use crate::bar::{
-    BarFineness, BarTuneError, BarTuning, bar_modes, stretched, tune_bar, vibraphone_ratios, vibraphone_stock,
+    BarFineness, BarTuneError, BarTuning, bar_modes, stretched, tune_bar, vibraphone_ratios,
+    vibraphone_stock,
 };
 use crate::revolution::{Bell, LAYERS, SolvedWall};
 use crate::shape::{Bar, Tube};

@@ -90,6 +90,7 @@ impl<'a> Builder<'a> {
                 max_orthonormality_error: orthonormality.fold(0.0, f64::max),
             },
             bodies: finished.into_iter().map(|f| f.body).collect(),
+            spread: None,
         }
     }
 }

@@ -8,12 +8,12 @@ const BETWEEN_EARS_M: f64 = 0.2;
 
 /// The listener's ears in the frame of the row, in m: x along it, y away from the player, z up.
 #[must_use]
-pub(super) fn ears_m(recipe: &ListenerRecipe) -> [[f64; 3]; 2] {
+pub(crate) fn ears_m(recipe: &ListenerRecipe) -> [[f64; 3]; 2] {
     [-0.5, 0.5].map(|side| [side * BETWEEN_EARS_M, -recipe.distance_m, recipe.above_m])
 }
 
 /// The body of `key` as the listener hears it from its `place` in the row, 0 leftmost to 1.
-pub(super) fn sounding(
+pub(crate) fn sounding(
     solved: SolvedBody,
     (key, pitch_hz): (u8, f64),
     place: f64,
@@ -52,7 +52,7 @@ pub(super) fn sounding(
                 pipe_per_s: pipe_per_s as f32,
                 residual: mode.residual,
                 label: mode.label,
-                shape: mode.shape,
+                shape: mode.shape.into(),
             }
         })
         .collect();
@@ -62,6 +62,7 @@ pub(super) fn sounding(
         length_m: solved.length_m,
         mass_kg: solved.mass_kg,
         line: solved.line,
+        surface: None,
         modes,
     }
 }

@@ -1,6 +1,6 @@
 //! The ten-node tetrahedron, straight or curved.
 
-use super::isotropic::{add_block, physical_gradients};
+use super::isotropic::{add_block, determinant, physical_gradients};
 use crate::Material;
 
 /// Corners that each mid-side node, from the fifth on, lies between.
@@ -83,6 +83,44 @@ fn points(rule: &[(Orbit, f64)]) -> impl Iterator<Item = ([f64; 4], f64)> + '_ {
     })
 }
 
+/// Determinants of the Jacobian of the element with these `nodes`, at the points of both rules, then
+/// at the nodes; six times the volume everywhere if the edges are straight.
+pub(crate) fn tet10_jacobians(nodes: &[[f64; 3]; 10]) -> [f64; 28] {
+    let of_nodes = (0..10).map(|node| {
+        std::array::from_fn(|i| match node {
+            0..4 => f64::from(u8::from(i == node)),
+            _ => 0.5 * f64::from(u8::from(TET10_EDGES[node - 4].contains(&i))),
+        })
+    });
+    let rules = points(&DEGREE_2).chain(points(&DEGREE_5)).map(|(at, _)| at);
+    let mut jacobians = [0.0; 28];
+    for (value, at) in jacobians.iter_mut().zip(rules.chain(of_nodes)) {
+        let mut jacobian = [[0.0; 3]; 3];
+        for (slope, node) in shape_gradients(at).iter().zip(nodes) {
+            for a in 0..3 {
+                for b in 0..3 {
+                    jacobian[a][b] += slope[a] * node[b];
+                }
+            }
+        }
+        *value = determinant(&jacobian);
+    }
+    jacobians
+}
+
+/// Volume of the element with these `nodes`.
+pub(crate) fn tet10_volume(nodes: &[[f64; 3]; 10]) -> f64 {
+    let weights = points(&DEGREE_2)
+        .map(|(_, weight)| weight)
+        .chain(points(&DEGREE_5).map(|(_, weight)| weight));
+    tet10_jacobians(nodes)
+        .iter()
+        .zip(weights)
+        .skip(4)
+        .map(|(jacobian, weight)| weight * jacobian / 6.0)
+        .sum()
+}
+
 /// Shape functions of the ten nodes at barycentric `l`.
 fn shapes(l: [f64; 4]) -> [f64; 10] {
     std::array::from_fn(|node| match node {
@@ -112,7 +150,6 @@ fn shape_gradients(l: [f64; 4]) -> [[f64; 3]; 10] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::isotropic::determinant;
     use super::*;
 
     const STEEL: Material = Material {

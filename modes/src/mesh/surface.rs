@@ -5,7 +5,7 @@ use crate::fem::{HEX20_NODES, TET10_EDGES};
 use std::collections::HashMap;
 
 /// Faces of a tetrahedron, counter-clockwise from outside.
-const TET_FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
+pub(crate) const TET_FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 
 impl Mesh {
     /// Triangles of the surface, counter-clockwise from outside. A face with mid-side

@@ -3,8 +3,8 @@
 use super::error::Fault;
 use super::material::check_material;
 use super::raw::{
-    Raw, RawBody, RawDamping, RawImperfection, RawKeys, RawListener, RawMesh, RawResonator,
-    RawTuning,
+    Raw, RawBody, RawDamping, RawImperfection, RawKeys, RawListener, RawMaterial, RawMesh,
+    RawResonator, RawTuning,
 };
 use super::together::check_together;
 use super::{
@@ -12,28 +12,12 @@ use super::{
     ResonatorRecipe, ShapeRecipe, TuningRecipe,
 };
 use crate::shape::Bowl;
-use crate::{Damping, Rayleigh};
+use crate::{Damping, Material, Rayleigh};
 use std::ops::RangeInclusive;
 
 impl Raw {
     pub(super) fn check(self, text: &str) -> Result<Recipe, Fault> {
-        let (material, own_damping) = check_material(&self.material)?;
-        let losses = match &self.damping {
-            Some(given) => check_losses(given)?,
-            None => LossRecipe::default(),
-        };
-        let damping = match (self.damping, own_damping) {
-            (Some(given), _) => check_damping(&given)?,
-            (None, Some(own)) => Damping {
-                rayleigh: own,
-                loss_factor: 0.0,
-            },
-            (None, None) => {
-                let allowed = "given, with alpha1_s and alpha2_per_s, because a material \
-                               without a name has no damping of its own";
-                return Err(Fault::field("damping", "left out", allowed));
-            }
-        };
+        let (material, damping, losses) = check_matter(&self.material, self.damping.as_ref())?;
         let recipe = Recipe {
             title: check_title(self.title.unwrap_or_else(|| self.name.clone()))?,
             name: check_name(self.name)?,
@@ -58,7 +42,32 @@ impl Raw {
     }
 }
 
-fn check_name(name: String) -> Result<String, Fault> {
+/// The material, its inner damping and what supports and felt take.
+pub(super) fn check_matter(
+    material: &RawMaterial,
+    damping: Option<&RawDamping>,
+) -> Result<(Material, Damping, LossRecipe), Fault> {
+    let (material, own_damping) = check_material(material)?;
+    let losses = match damping {
+        Some(given) => check_losses(given)?,
+        None => LossRecipe::default(),
+    };
+    let damping = match (damping, own_damping) {
+        (Some(given), _) => check_damping(given)?,
+        (None, Some(own)) => Damping {
+            rayleigh: own,
+            loss_factor: 0.0,
+        },
+        (None, None) => {
+            let allowed = "given, with alpha1_s and alpha2_per_s, because a material \
+                           without a name has no damping of its own";
+            return Err(Fault::field("damping", "left out", allowed));
+        }
+    };
+    Ok((material, damping, losses))
+}
+
+pub(super) fn check_name(name: String) -> Result<String, Fault> {
     let fits = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_';
     if (1..=64).contains(&name.len()) && name.chars().all(fits) {
         return Ok(name);
@@ -67,7 +76,7 @@ fn check_name(name: String) -> Result<String, Fault> {
     Err(Fault::field("name", format!("{name:?}"), allowed))
 }
 
-fn check_title(title: String) -> Result<String, Fault> {
+pub(super) fn check_title(title: String) -> Result<String, Fault> {
     if (1..=64).contains(&title.chars().count()) && !title.chars().any(char::is_control) {
         return Ok(title);
     }
@@ -110,7 +119,7 @@ fn check_imperfection(raw: &RawImperfection) -> Result<ImperfectionRecipe, Fault
     })
 }
 
-fn check_listener(raw: &RawListener) -> Result<ListenerRecipe, Fault> {
+pub(super) fn check_listener(raw: &RawListener) -> Result<ListenerRecipe, Fault> {
     Ok(ListenerRecipe {
         distance_m: within("listener.distance_m", raw.distance_m, 0.3..=20.0)?,
         above_m: within("listener.above_m", raw.above_m, -5.0..=5.0)?,
@@ -118,7 +127,7 @@ fn check_listener(raw: &RawListener) -> Result<ListenerRecipe, Fault> {
     })
 }
 
-fn check_keys(keys: &RawKeys) -> Result<KeyRange, Fault> {
+pub(super) fn check_keys(keys: &RawKeys) -> Result<KeyRange, Fault> {
     let low = whole("keys.low", keys.low, 0..=127)? as u8;
     let high = whole("keys.high", keys.high, 0..=127)? as u8;
     if low > high {
@@ -198,7 +207,7 @@ fn none_of(fields: &[(&'static str, Option<f64>)], allowed: &str) -> Result<(), 
     }
 }
 
-fn given(field: &'static str, x: Option<f64>) -> Result<f64, Fault> {
+pub(super) fn given<T>(field: &'static str, x: Option<T>) -> Result<T, Fault> {
     x.ok_or_else(|| Fault::field(field, "left out", "given"))
 }
 
@@ -305,7 +314,11 @@ fn check_mesh(mesh: &RawMesh) -> Result<MeshRecipe, Fault> {
     })
 }
 
-fn within(field: &'static str, x: f64, range: RangeInclusive<f64>) -> Result<f64, Fault> {
+pub(super) fn within(
+    field: &'static str,
+    x: f64,
+    range: RangeInclusive<f64>,
+) -> Result<f64, Fault> {
     if range.contains(&x) {
         return Ok(x);
     }

@@ -2,6 +2,7 @@
 
 use super::error::Fault;
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -136,20 +137,25 @@ fn highest_hz() -> f64 {
 
 impl Raw {
     pub(super) fn parse(text: &str) -> Result<Self, Fault> {
-        toml::from_str(text).map_err(|error| {
-            let at = error.span().map_or(0, |span| span.start);
-            let (line, column) = place(text, at);
-            Fault::Syntax {
-                line,
-                column,
-                message: error
-                    .message()
-                    .split_whitespace()
-                    .collect::<Vec<_>>()
-                    .join(" "),
-            }
-        })
+        from_toml(text)
     }
+}
+
+/// What `text` says, or where in it the fault is.
+pub(super) fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Fault> {
+    toml::from_str(text).map_err(|error| {
+        let at = error.span().map_or(0, |span| span.start);
+        let (line, column) = place(text, at);
+        Fault::Syntax {
+            line,
+            column,
+            message: error
+                .message()
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" "),
+        }
+    })
 }
 
 /// Line and column of the byte `at`, both counted from 1.

@@ -71,17 +71,17 @@ pub(super) fn strike_line(wall: &Wall, samples: usize) -> StrikeLine {
     let count = wall.line.len();
     let at = |i: usize| (i as f64) / (samples - 1) as f64;
     let place = |i: usize, a: usize| wall.meridian.nodes_m[wall.line[i] as usize][a];
-    StrikeLine {
-        points_m: (0..samples)
+    StrikeLine::single(
+        (0..samples)
             .map(|i| [0, 1].map(|a| quadratic(|k| place(k, a), count, at(i))))
             .map(|[r, z]| [r, 0.0, z])
             .collect(),
-        normals: (0..samples)
+        (0..samples)
             .map(|i| [0, 1].map(|a| quadratic(|k| wall.line_normals[k][a], count, at(i))))
             .map(|[r, z]| {
                 let length = r.hypot(z);
                 [r / length, 0.0, z / length]
             })
             .collect(),
-    }
+    )
 }

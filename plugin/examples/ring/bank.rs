@@ -53,6 +53,7 @@ pub(crate) fn bank(bodies: u8, modes: usize) -> Bank {
         bodies: (0..bodies)
             .map(|key| body(key, (0..modes).map(|index| mode(hz(key, index), index))))
             .collect(),
+        spread: None,
     }
 }
 
@@ -65,10 +66,11 @@ fn body(key: u8, modes: impl Iterator<Item = Mode>) -> Body {
         pitch_hz: modes.first().map_or(BAND_HZ.0, |mode| mode.hz),
         length_m,
         mass_kg: 0.35,
-        line: StrikeLine {
-            points_m: (0..POINTS).map(|point| [0.0, 0.0, along(point)]).collect(),
-            normals: vec![[1.0, 0.0, 0.0]; POINTS],
-        },
+        line: StrikeLine::single(
+            (0..POINTS).map(|point| [0.0, 0.0, along(point)]).collect(),
+            vec![[1.0, 0.0, 0.0]; POINTS],
+        ),
+        surface: None,
         modes,
     }
 }
@@ -95,6 +97,6 @@ fn mode(hz: f64, index: usize) -> Mode {
             index: u16::try_from(index).unwrap_or(u16::MAX),
             member: Member::A,
         },
-        shape: vec![[1.0, 0.0, 0.0]; POINTS],
+        shape: vec![[1.0, 0.0, 0.0]; POINTS].into(),
     }
 }

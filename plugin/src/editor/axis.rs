@@ -28,6 +28,12 @@ impl Axis {
         self.span.min + self.span.span() * share as f32
     }
 
+    /// What is at a place.
+    pub(super) fn value(&self, place: f32) -> f64 {
+        let share = f64::from((place - self.span.min) / self.span.span());
+        (self.from + share * (self.to - self.from)).exp()
+    }
+
     /// Whether the axis reaches so far.
     pub(super) fn holds(&self, value: f64) -> bool {
         (self.from..=self.to).contains(&value.ln())
@@ -48,6 +54,7 @@ mod tests {
         let axis = Axis::log([10.0, 1000.0], Rangef::new(100.0, 300.0));
         for (value, place) in [(10.0, 100.0), (100.0, 200.0), (1000.0, 300.0)] {
             assert!((axis.place(value) - place).abs() < 1e-3);
+            assert!((axis.value(place) / value - 1.0).abs() < 1e-6);
         }
         assert!(axis.holds(10.5) && !axis.holds(9.0) && !axis.holds(1001.0));
     }

@@ -4,17 +4,22 @@ use super::ringing::{Ringing, hertz, seconds};
 use super::theme::{Cause, SIDE, Theme, small};
 use egui::{CornerRadius, Rect, Ui, pos2, vec2};
 
-/// Writes it on one line at `place`, causes from the greatest down for as long as there is room.
+/// Writes it on one line at `place`.
 pub(super) fn card(ui: &Ui, place: Rect, name: &str, ringing: &Ringing, theme: &Theme) {
-    let painter = ui.painter_at(place);
-    let mut at = pos2(place.left(), place.top() + 8.0);
-    let lay = |text: String, colour| painter.layout_no_wrap(text, small(), colour);
     let head = format!(
         "{name}, {}, rings {}",
         hertz(ringing.hz),
         seconds(ringing.t60_s())
     );
-    let head = lay(head, theme.text);
+    causes(ui, place, &head, ringing, theme);
+}
+
+/// Writes `head`, then what takes the energy, from the greatest down for as long as there is room.
+pub(super) fn causes(ui: &Ui, place: Rect, head: &str, ringing: &Ringing, theme: &Theme) {
+    let painter = ui.painter_at(place);
+    let mut at = pos2(place.left(), place.top() + 8.0);
+    let lay = |text: String, colour| painter.layout_no_wrap(text, small(), colour);
+    let head = lay(head.to_owned(), theme.text);
     let width = head.size().x;
     painter.galley(at - vec2(0.0, 0.5 * head.size().y), head, theme.text);
     at.x += width + SIDE;

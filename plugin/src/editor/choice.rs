@@ -1,6 +1,7 @@
 //! A list for a parameter that is one of some names.
 
 use super::knob::{CELL, caption};
+use super::menu::menu;
 use super::param::Param;
 use super::theme::{NEAR, Theme, body, small};
 use egui::{
@@ -24,7 +25,7 @@ pub(super) fn choice(
 }
 
 /// The place 0…1 of a name by number.
-fn place(index: usize, steps: usize) -> f32 {
+pub(super) fn place(index: usize, steps: usize) -> f32 {
     index as f32 / steps.max(1) as f32
 }
 
@@ -44,6 +45,7 @@ pub(super) fn chooser(
         ..WidgetInfo::labeled(egui::Role::ComboBox, true, param.spec.name)
     });
     paint(ui, rect, &param.text(), theme, font, &response);
+    menu(&response, param, None, setter);
     let mut wanted = None;
     Popup::menu(&response).width(rect.width()).show(|ui| {
         ui.set_min_width(rect.width());
@@ -73,7 +75,7 @@ pub(super) fn chooser(
 }
 
 /// Names that keys or wheel go on by.
-fn stepped(ui: &Ui, response: &Response) -> f32 {
+pub(super) fn stepped(ui: &Ui, response: &Response) -> f32 {
     let mut moved = 0.0;
     if response.has_focus() {
         ui.memory_mut(|memory| {
@@ -99,7 +101,15 @@ fn stepped(ui: &Ui, response: &Response) -> f32 {
     moved
 }
 
-fn paint(ui: &Ui, rect: Rect, text: &str, theme: &Theme, font: FontId, response: &Response) {
+/// The box itself.
+pub(super) fn paint(
+    ui: &Ui,
+    rect: Rect,
+    text: &str,
+    theme: &Theme,
+    font: FontId,
+    response: &Response,
+) {
     let painter = ui.painter_at(rect);
     let edge = if response.has_focus() {
         theme.glow
@@ -144,6 +154,7 @@ pub(super) fn switch(
     if response.clicked() {
         param.put(setter, if on { 0.0 } else { 1.0 });
     }
+    menu(&response, param, None, setter);
     let colour =
         super::theme::Cause::of(param.spec.id).map_or(theme.glow, |cause| theme.cause(cause));
     let fill = if on { colour } else { theme.line };

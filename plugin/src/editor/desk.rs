@@ -2,7 +2,7 @@
 
 use super::link::Link;
 use super::reporter::Reporter;
-use super::saved::{Saved, SavedField};
+use super::saved::{ChosenField, Saved, SavedField};
 use super::window::{Window, Windows};
 use crate::params::Controls;
 use crate::player::Player;
@@ -25,6 +25,8 @@ struct Kept {
     controls: Arc<Controls>,
     #[persist = "window"]
     saved: SavedField,
+    #[persist = "preset"]
+    chosen: ChosenField,
 }
 
 impl Desk {
@@ -33,6 +35,7 @@ impl Desk {
         Arc::new(Kept {
             controls: Arc::clone(controls),
             saved: SavedField(Arc::clone(&self.saved)),
+            chosen: ChosenField(Arc::clone(&self.saved)),
         })
     }
 
@@ -64,5 +67,38 @@ impl Desk {
         if self.reporter.report(&self.link, index, engine, block) {
             self.windows.repaint();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Desk;
+    use crate::editor::Chosen;
+    use crate::params::heal;
+    use nice_plug::prelude::PluginState;
+    use std::collections::BTreeMap;
+    use std::sync::Arc;
+
+    #[test]
+    fn the_chosen_preset_travels_with_the_song_and_an_older_song_has_none() {
+        let (desk, controls) = (Desk::default(), Arc::default());
+        let params = desk.params(&controls);
+        let old = Chosen {
+            key: "user/A.toml".to_owned(),
+            changed: true,
+            tuned: true,
+        };
+        desk.saved.choose(old.clone());
+        let fields = params.serialize_fields();
+        let mut older = PluginState {
+            version: String::new(),
+            params: BTreeMap::new(),
+            fields: BTreeMap::new(),
+        };
+        heal(&mut older);
+        params.deserialize_fields(&older.fields);
+        assert_eq!(desk.saved.chosen(), Chosen::default());
+        params.deserialize_fields(&fields);
+        assert_eq!(desk.saved.chosen(), old);
     }
 }

@@ -45,8 +45,8 @@ impl Kind {
     /// Where 0 and 1 of its line are.
     pub(super) fn ends(self) -> [&'static str; 2] {
         match self {
-            Self::Bar => ["one end", "the other"],
-            Self::Tube => ["the lower end", "the upper end"],
+            Self::Bar => ["the middle", "an end"],
+            Self::Tube => ["the upper end", "the lower end"],
             Self::Bowl => ["the rim", "the middle"],
         }
     }
@@ -79,20 +79,20 @@ impl Figure {
             Kind::Bowl => {
                 1.0 - (at - self.rect.center()).length() / (0.5 * self.rect.width()).max(1.0)
             }
-            Kind::Bar | Kind::Tube => (self.rect.bottom() - at.y) / self.rect.height().max(1.0),
+            Kind::Bar => (at.y - self.rect.center().y).abs() / (0.5 * self.rect.height()).max(1.0),
+            Kind::Tube => (at.y - self.rect.top()) / self.rect.height().max(1.0),
         };
         share.clamp(0.0, 1.0)
     }
 
-    /// Where a place 0…1 on the line is; on a bowl, towards the player.
+    /// Where a place 0…1 on the line is; on a bowl and a bar, towards the player.
     #[must_use]
     pub fn point(&self, position: f32) -> Pos2 {
         let centre = self.rect.center();
         match self.kind {
             Kind::Bowl => centre + vec2(0.0, 0.5 * self.rect.width() * (1.0 - position)),
-            Kind::Bar | Kind::Tube => {
-                pos2(centre.x, self.rect.bottom() - position * self.rect.height())
-            }
+            Kind::Bar => centre + vec2(0.0, 0.5 * self.rect.height() * position),
+            Kind::Tube => pos2(centre.x, self.rect.top() + position * self.rect.height()),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! A knob for a parameter that glides.
 
 use super::hands::Hands;
+use super::menu::menu;
 use super::param::Param;
 use super::theme::{Cause, NEAR, Theme, body, small};
 use egui::{
@@ -51,6 +52,7 @@ pub(super) fn knob(
         ..WidgetInfo::slider(true, f64::from(param.value()), param.spec.name)
     });
     turn(ui, &response, param, hands, setter);
+    menu(&response, param, Some(&mut hands.typing), setter);
     paint(ui.painter(), dial, param, theme, &response);
     caption(ui, cell, param.spec.name, theme);
     read(ui, value, param, theme, hands, setter);

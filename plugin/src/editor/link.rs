@@ -1,6 +1,7 @@
 //! What the audio thread and the editor hand each other, without locks.
 
 use super::frame::Frame;
+use super::samples::Samples;
 use crossbeam_queue::ArrayQueue;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -23,8 +24,10 @@ pub enum Touch {
         key: u8,
         /// How hard, 0…1.
         velocity: f32,
-        /// Where on its line, 0…1.
+        /// Where along it, 0…1.
         position: f32,
+        /// Where across it, 0…1.
+        across: f32,
     },
     /// The hand leaves the key.
     Release {
@@ -39,6 +42,7 @@ pub struct Link {
     wanted: AtomicBool,
     spare: ArrayQueue<Box<Frame>>,
     filled: ArrayQueue<Box<Frame>>,
+    samples: Samples,
 }
 
 impl Default for Link {
@@ -53,6 +57,7 @@ impl Default for Link {
             wanted: AtomicBool::new(false),
             spare,
             filled: ArrayQueue::new(FRAMES),
+            samples: Samples::default(),
         }
     }
 }
@@ -85,6 +90,17 @@ impl Link {
         }
         self.wanted.store(true, Ordering::Release);
         came
+    }
+
+    /// For the audio thread: a block has been played.
+    pub fn hear(&self, left: &[f32], right: &[f32]) {
+        self.samples.write(left, right);
+    }
+
+    /// For the editor: appends what has been played since `read` samples had been read; how many before
+    /// that are lost.
+    pub(super) fn heard(&self, read: &mut u64, out: &mut Vec<f32>) -> u64 {
+        self.samples.read(read, out)
     }
 
     /// For the audio thread: whether a frame is asked for.

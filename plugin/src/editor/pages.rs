@@ -4,25 +4,35 @@ use super::choice::{choice, switch};
 use super::hands::Hands;
 use super::knob::{CELL, knob};
 use super::param::Param;
-use super::theme::{NEAR, SIDE, Theme, body, small};
-use egui::{
-    Align, Align2, CursorIcon, Id, Layout, Rect, Role, ScrollArea, Sense, Stroke, Ui, UiBuilder,
-    WidgetInfo, pos2, vec2,
-};
+use super::tabs::{TABS, Tab, tabs};
+use super::theme::{NEAR, SIDE, Theme, small};
+use egui::{Align, Align2, Layout, Rect, ScrollArea, Sense, Ui, UiBuilder, pos2, vec2};
 use nice_plug::prelude::ParamSetter;
 
 /// Pages and the groups that are on them; what is in no group listed here is on the last.
-const PAGES: [(&str, &[&str]); 6] = [
-    ("Strike", &["Strike", "Mallet"]),
-    ("Damping", &["Damping"]),
-    ("Bow", &["Bow"]),
-    ("Body", &["Body", "Motor"]),
-    ("Sound", &["Listener", "Output"]),
-    ("Hands", &[]),
+const PAGES: [(Tab, &[&str]); 6] = [
+    (
+        ("Strike", "Where bodies are struck, how hard, and with what"),
+        &["Strike", "Mallet"],
+    ),
+    (
+        ("Damping", "What takes the sound away, and how fast"),
+        &["Damping"],
+    ),
+    (
+        ("Bow", "Whether keys rub instead of striking, and how"),
+        &["Bow"],
+    ),
+    (
+        ("Body", "Size, material and surroundings of the bodies"),
+        &["Body", "Motor"],
+    ),
+    (
+        ("Sound", "Where you listen, and how loud"),
+        &["Listener", "Output"],
+    ),
+    (("Hands", "What velocity, wheels and pressure do"), &[]),
 ];
-
-/// Height of the line of tabs.
-const TABS: f32 = 26.0;
 
 /// Which page is open.
 #[derive(Default)]
@@ -62,7 +72,10 @@ impl Pages {
         if !there.contains(&self.open) {
             self.open = there.first().copied().unwrap_or(0);
         }
-        self.tabs(ui, area, &there, theme);
+        let names: Vec<Tab> = there.iter().map(|page| PAGES[*page].0).collect();
+        let open = there.iter().position(|page| *page == self.open);
+        let chosen = tabs(ui, area, &names, open.unwrap_or(0), theme);
+        self.open = there.get(chosen).copied().unwrap_or(self.open);
         let several = {
             let mut groups = here(params, self.open).map(|param| &param.group);
             let first = groups.next();
@@ -98,51 +111,6 @@ impl Pages {
                     });
                 }
             });
-    }
-
-    fn tabs(&mut self, ui: &Ui, area: Rect, there: &[usize], theme: &Theme) {
-        let text_width = |name: &str| {
-            let text = ui
-                .painter()
-                .layout_no_wrap(name.to_owned(), body(), theme.text);
-            text.size().x
-        };
-        let texts: f32 = there.iter().map(|page| text_width(PAGES[*page].0)).sum();
-        let room = (area.width() - texts) / there.len().max(1) as f32;
-        let room = room.clamp(NEAR, 2.0 * SIDE);
-        let mut x = area.left();
-        for page in there {
-            let name = PAGES[*page].0;
-            let width = text_width(name) + room;
-            let rect = Rect::from_min_size(pos2(x, area.top()), vec2(width, TABS));
-            x += width;
-            let response = ui.interact(rect, Id::unique(("tab", page)), Sense::click());
-            let open = self.open == *page;
-            response.widget_info(|| WidgetInfo::selected(Role::Tab, true, open, name));
-            if response.clicked() {
-                self.open = *page;
-            }
-            let colour = if open || response.hovered() || response.has_focus() {
-                theme.text
-            } else {
-                theme.quiet
-            };
-            ui.painter()
-                .text(rect.center(), Align2::CENTER_CENTER, name, body(), colour);
-            if open {
-                ui.painter().hline(
-                    rect.shrink2(vec2(0.5 * room, 0.0)).x_range(),
-                    rect.bottom() - 2.0,
-                    Stroke::new(2.0, theme.glow),
-                );
-            }
-            response.on_hover_cursor(CursorIcon::PointingHand);
-        }
-        ui.painter().hline(
-            area.x_range(),
-            area.top() + TABS,
-            Stroke::new(1.0, theme.line),
-        );
     }
 }
 

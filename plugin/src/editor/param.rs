@@ -1,5 +1,6 @@
 //! A parameter as the editor holds it: read without risk, changed through the host.
 
+use super::log::Log;
 use crate::params::{Controls, Spec, specs};
 use nice_plug::prelude::{ParamPtr, ParamSetter, Params};
 use std::sync::Arc;
@@ -11,6 +12,8 @@ pub(super) struct Param {
     /// The group that the host shows it in.
     pub(super) group: String,
     pointer: ParamPtr,
+    /// Where gestures are written down.
+    log: Arc<Log>,
     /// Keeps alive what `pointer` points into.
     _controls: Arc<Controls>,
 }
@@ -37,8 +40,8 @@ macro_rules! tell {
 }
 
 impl Param {
-    /// All that have a line in the table, in the host's order.
-    pub(super) fn all(controls: &Arc<Controls>) -> Vec<Self> {
+    /// All that have a line in the table, in the host's order; `log` hears of every gesture.
+    pub(super) fn all(controls: &Arc<Controls>, log: &Arc<Log>) -> Vec<Self> {
         controls
             .param_map()
             .into_iter()
@@ -48,6 +51,7 @@ impl Param {
                     spec,
                     group,
                     pointer,
+                    log: Arc::clone(log),
                     _controls: Arc::clone(controls),
                 })
             })
@@ -96,16 +100,20 @@ impl Param {
 
     /// Begins a gesture.
     pub(super) fn begin(&self, setter: &ParamSetter<'_>) {
+        self.log.begin(self.spec.id, self.value());
         tell!(setter.raw_begin_set_parameter(self.pointer));
     }
 
     /// Within a gesture: goes to `value` 0…1.
     pub(super) fn set(&self, setter: &ParamSetter<'_>, value: f32) {
-        tell!(setter.raw_set_parameter_normalized(self.pointer, value.clamp(0.0, 1.0)));
+        let value = value.clamp(0.0, 1.0);
+        self.log.set(self.spec.id, value);
+        tell!(setter.raw_set_parameter_normalized(self.pointer, value));
     }
 
     /// Ends a gesture.
     pub(super) fn end(&self, setter: &ParamSetter<'_>) {
+        self.log.end(self.spec.id);
         tell!(setter.raw_end_set_parameter(self.pointer));
     }
 
@@ -114,5 +122,12 @@ impl Param {
         self.begin(setter);
         self.set(setter, value);
         self.end(setter);
+    }
+
+    /// A whole gesture that is not written down, as part of a greater step.
+    pub(super) fn jump(&self, setter: &ParamSetter<'_>, value: f32) {
+        tell!(setter.raw_begin_set_parameter(self.pointer));
+        tell!(setter.raw_set_parameter_normalized(self.pointer, value.clamp(0.0, 1.0)));
+        tell!(setter.raw_end_set_parameter(self.pointer));
     }
 }

@@ -6,16 +6,19 @@ use super::frame::Frame;
 use super::grid::{FLOOR_DB, Halves, grid};
 use super::ringing::{Ringing, hertz};
 use super::shown::Shown;
-use super::theme::{Cause, Theme, body, small};
-use crate::engine::Settings;
-use egui::{Align2, Id, Painter, Rangef, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
-use modes::Damping;
+use super::theme::{Cause, Theme, small};
+use super::trimming::{Grasp, Scales, Trimming, all_back, words};
+use crate::engine::{Settings, Trim};
+use crate::params::TrimTable;
+use egui::{
+    Align2, CursorIcon, Id, Painter, Rangef, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+use modes::{Damping, ModeLabel};
 
 /// Greatest distance in points of the pointer from the partial that it is on.
 const REACH: f32 = 10.0;
-/// Least width in points for all that can be said of a body.
-const WIDE: f32 = 400.0;
-
+/// Time in s beyond which it does not matter how long a partial rings.
+const LONGEST_S: f64 = 100.0;
 /// What the plot needs to know.
 pub(super) struct Scene<'a> {
     pub(super) shown: &'a Shown,
@@ -25,12 +28,27 @@ pub(super) struct Scene<'a> {
     pub(super) own: &'a Damping,
     /// How long a blow lasts, in s.
     pub(super) contact_s: f64,
+    /// What is made of single modes.
+    pub(super) trims: &'a TrimTable,
     pub(super) theme: &'a Theme,
 }
 
+/// What the pointer is on.
+#[derive(Default)]
+pub(super) struct Pointed {
+    /// Number of the partial.
+    pub(super) number: Option<usize>,
+    /// What can be done there, in words.
+    pub(super) hint: Option<String>,
+}
+
 /// A partial on its place.
-struct Line {
+pub(super) struct Line {
     number: usize,
+    pub(super) label: ModeLabel,
+    trim: Trim,
+    /// Whether another is heard alone.
+    mute: bool,
     x: f32,
     /// Levels in dB below the loudest: what a blow would give, and what there is.
     set_db: f32,
@@ -38,9 +56,9 @@ struct Line {
     ringing: Ringing,
 }
 
-/// Draws the plot at `area`.
-pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) {
-    let header = Rect::from_min_size(area.min, vec2(area.width(), 40.0));
+/// Draws the plot at `area` and lets hands take partials; what the pointer is on.
+pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>, trimming: &mut Trimming) -> Pointed {
+    let header = Rect::from_min_size(area.min, vec2(area.width(), 20.0));
     let rest = Rect::from_min_max(pos2(area.left(), header.bottom()), area.max);
     let halves = Halves::of(rest);
     let partials = &scene.shown.partials;
@@ -51,50 +69,75 @@ pub(super) fn plot(ui: &mut Ui, area: Rect, scene: &Scene<'_>) {
     let hz = Axis::log(span, halves.up.x_range());
     let t60 = Axis::log([0.01, 100.0], halves.down.y_range());
     let lines = lines(scene, &hz);
-    let response = ui.interact(area, Id::unique("partials"), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Partials"));
-    let pointed = response
-        .hover_pos()
-        .filter(|at| at.y > header.bottom())
-        .and_then(|at| nearest(&lines, at.x));
+    let response = ui.interact(area, Id::unique("partials"), Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(Role::Group, true, "Partial levels"));
+    let here = response
+        .interact_pointer_pos()
+        .or(response.hover_pos())
+        .filter(|at| at.y > header.bottom());
+    let under = here.and_then(|at| nearest(&lines, at.x));
+    let grasp = |at: egui::Pos2| {
+        if at.y > halves.down.top() {
+            Grasp::Ringing
+        } else {
+            Grasp::Level
+        }
+    };
+    let scales = Scales {
+        db: FLOOR_DB / halves.up.height(),
+        folds: 1e4f32.ln() / halves.down.height(),
+    };
+    let held = under.zip(here).map(|(line, at)| (line.label, grasp(at)));
+    trimming.hands(ui, &response, held, &lines, &scales, scene.trims);
+    let told = trimming.told();
+    let pointed = lines.iter().find(|line| Some(line.label) == told).or(under);
     let painter = ui.painter();
     grid(painter, &halves, &hz, &t60, scene.theme);
     for line in &lines {
         let on = pointed.is_some_and(|on| on.number == line.number);
         draw(painter, scene, line, &halves, &t60, on);
     }
-    describe(ui, header, scene, pointed.or_else(|| loudest(&lines)));
+    let taken = all_back(ui, header, scene.trims, scene.theme);
+    let header = header.with_max_x(header.right() - taken);
+    describe(ui, header, scene, pointed.or_else(|| first_told(&lines)));
+    response.on_hover_cursor(CursorIcon::ResizeVertical);
+    let hint = "Click a partial to hear it alone; drag it up or down to make it louder or softer, its lower half \
+                longer or shorter; right click: as built";
+    Pointed {
+        number: pointed.map(|line| line.number),
+        hint: here.map(|_| hint.to_owned()),
+    }
 }
 
-/// The body, and one of its partials, in words.
+/// One of the partials in words.
 fn describe(ui: &Ui, header: Rect, scene: &Scene<'_>, told: Option<&Line>) {
-    let (painter, theme) = (ui.painter(), scene.theme);
-    let at = header.left_top() + vec2(2.0, 0.0);
-    painter.text(
-        at,
-        Align2::LEFT_TOP,
-        scene.shown.title(),
-        body(),
-        theme.text,
-    );
-    if header.width() > WIDE {
-        let text = format!("mallet touches for {:.2} ms", 1e3 * scene.contact_s);
-        let at = header.right_top() + vec2(-2.0, 2.0);
-        painter.text(at, Align2::RIGHT_TOP, text, small(), theme.quiet);
-    }
     if let Some(line) = told {
-        let label = scene.shown.partials[line.number].label;
-        let place = Rect::from_min_max(at + vec2(0.0, 19.0), header.right_bottom());
-        card(ui, place, &label.to_string(), &line.ringing, theme);
+        let trim = words(&line.trim);
+        let gap = if trim.is_empty() { "" } else { " " };
+        let name = format!("{}{gap}{trim}", line.label);
+        card(ui, header, &name, &line.ringing, scene.theme);
     }
+}
+
+/// The name and decay of the partial that is to be told of first.
+pub(super) fn leading(scene: &Scene<'_>) -> Option<(String, Ringing)> {
+    let everywhere = Axis::log([1.0, 1e6], Rangef::new(0.0, 1.0));
+    let lines = lines(scene, &everywhere);
+    let line = first_told(&lines)?;
+    Some((line.label.to_string(), line.ringing))
 }
 
 fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
-    let position = scene.settings.strike_position;
+    let settings = &scene.settings;
+    let place = [settings.strike_position, settings.strike_across];
     let partials = &scene.shown.partials;
+    let trims = scene.trims.get();
+    let alone = trims
+        .solo()
+        .filter(|solo| partials.iter().any(|partial| partial.label == *solo));
     let levels: Vec<f64> = partials
         .iter()
-        .map(|partial| partial.level(position, scene.contact_s))
+        .map(|partial| partial.level(place, scene.contact_s))
         .collect();
     let most = levels
         .iter()
@@ -106,13 +149,19 @@ fn lines(scene: &Scene<'_>, hz: &Axis) -> Vec<Line> {
         .zip(&levels)
         .enumerate()
         .map(|(number, (partial, level))| {
-            let ringing = Ringing::of(partial, &scene.settings.losses, scene.own, held);
+            let trim = trims.get(&partial.label);
+            let mute = alone.is_some_and(|alone| alone != partial.label);
+            let ringing = Ringing::of(partial, &scene.settings.losses, scene.own, held)
+                .trimmed(trim.ringing.into());
             let live = scene.shown.live(scene.frame, number);
             Line {
                 number,
+                label: partial.label,
+                trim,
+                mute,
                 x: hz.place(ringing.hz),
-                set_db: below_db(level / most),
-                live_db: below_db(live.into()),
+                set_db: below_db(level / most) - trim.level_db,
+                live_db: below_db(if mute { 0.0 } else { live.into() }),
                 ringing,
             }
         })
@@ -129,11 +178,15 @@ fn nearest(lines: &[Line], x: f32) -> Option<&Line> {
     near.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
 
-/// The partial that is loudest now, or would be.
-fn loudest(lines: &[Line]) -> Option<&Line> {
-    let rings = lines.iter().any(|line| line.live_db < FLOOR_DB);
-    let level = |line: &Line| if rings { line.live_db } else { line.set_db };
-    lines.iter().min_by(|a, b| level(a).total_cmp(&level(b)))
+/// The partial that is heard alone, or else the one of which most is heard: loud after a blow, and for
+/// long.
+fn first_told(lines: &[Line]) -> Option<&Line> {
+    let heard = lines.iter().filter(|line| !line.mute);
+    let cost = |line: &Line| {
+        let rings_s = line.ringing.t60_s().min(LONGEST_S);
+        line.set_db - 20.0 * rings_s.log10() as f32
+    };
+    heard.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
 
 fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60: &Axis, on: bool) {
@@ -141,12 +194,14 @@ fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60:
     let (x, width) = (line.x, if on { 4.0 } else { 2.5 });
     let y_of = |db: f32| up.top() + up.height() * (db / FLOOR_DB).clamp(0.0, 1.0);
     let rise = |db: f32| Rangef::new(y_of(db), up.bottom());
-    let audible = line.set_db < FLOOR_DB || line.live_db < FLOOR_DB;
+    let audible = !line.mute && (line.set_db < FLOOR_DB || line.live_db < FLOOR_DB);
     if line.set_db < FLOOR_DB {
         let colour = if on {
             theme.text
         } else {
-            theme.quiet.gamma_multiply(0.6)
+            theme
+                .quiet
+                .gamma_multiply(if line.mute { 0.25 } else { 0.6 })
         };
         painter.vline(x, rise(line.set_db), Stroke::new(width, colour));
     }
@@ -163,6 +218,10 @@ fn draw(painter: &Painter, scene: &Scene<'_>, line: &Line, halves: &Halves, t60:
             .gamma_multiply(if audible { 1.0 } else { 0.25 });
         painter.vline(x, Rangef::new(y, to), Stroke::new(width, colour));
         y = to;
+    }
+    if line.trim != Trim::NONE {
+        let at = pos2(x, 0.5 * (up.bottom() + down.top()));
+        painter.circle(at, 3.5, theme.glow, Stroke::new(1.5, theme.panel));
     }
     if on {
         let right = x > up.center().x;

@@ -23,6 +23,7 @@ impl Reporter {
         for (peak, samples) in self.peaks.iter_mut().zip(block) {
             *peak = samples.iter().fold(*peak, |peak, x| peak.max(x.abs()));
         }
+        link.hear(block[0], block[1]);
         let sounds = engine.awake() != 0;
         if !link.is_wanted() || !(sounds || self.sounded) {
             return false;

@@ -34,6 +34,17 @@ impl Ringing {
         Self { hz, per_s }
     }
 
+    /// The same for a mode that is made to ring so many times as long: hands and felt take what they took.
+    #[must_use]
+    pub fn trimmed(mut self, ringing: f64) -> Self {
+        for (cause, rate) in Cause::ALL.into_iter().zip(&mut self.per_s) {
+            if cause != Cause::Damper {
+                *rate /= ringing;
+            }
+        }
+        self
+    }
+
     /// Time in s to fall by 60 dB; infinite if nothing damps.
     #[must_use]
     pub fn t60_s(&self) -> f64 {

@@ -53,6 +53,8 @@ pub(super) struct Stage<'a, 'b> {
     pub(super) theme: &'a Theme,
     /// The strike position.
     pub(super) position: Option<&'a Param>,
+    /// The place across.
+    pub(super) across: Option<&'a Param>,
     pub(super) setter: &'a ParamSetter<'b>,
 }
 
@@ -92,12 +94,18 @@ impl Row {
             key: figure.key,
             velocity: (share * self.velocity / 127.0).clamp(1.0 / 127.0, 1.0),
             position,
+            across: Self::set_across(stage),
         });
     }
 
     /// Where strikes of keys land.
     fn set_position(stage: &Stage<'_, '_>) -> f32 {
         stage.position.map_or(0.03, |param| param.plain() / 100.0)
+    }
+
+    /// Where across the bodies strikes land.
+    fn set_across(stage: &Stage<'_, '_>) -> f32 {
+        stage.across.map_or(0.0, |param| param.plain() / 100.0)
     }
 
     /// Plays the computer's keys.

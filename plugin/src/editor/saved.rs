@@ -1,8 +1,10 @@
-//! What of the editor is kept in the state: the window's size and its theme.
+//! What of the editor is kept in the state: the window's size, its theme, and which preset was chosen.
 
+use super::chosen::Chosen;
+use super::history::Past;
 use nice_plug::params::persist::PersistentField;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Size of a new window, and the least, in logical points.
 pub const USUAL_SIZE: [f32; 2] = [1000.0, 680.0];
@@ -16,6 +18,9 @@ pub struct Saved {
     width: AtomicU32,
     height: AtomicU32,
     bright: AtomicBool,
+    chosen: Mutex<Chosen>,
+    /// While no window is open: what can be undone in the next. No part of the state.
+    past: Mutex<Past>,
 }
 
 impl Default for Saved {
@@ -25,6 +30,8 @@ impl Default for Saved {
             width,
             height,
             bright: AtomicBool::new(false),
+            chosen: Mutex::default(),
+            past: Mutex::default(),
         }
     }
 }
@@ -58,6 +65,23 @@ impl Saved {
     pub fn set_dark(&self, dark: bool) {
         self.bright.store(!dark, Ordering::Relaxed);
     }
+
+    /// The preset that was chosen last.
+    #[must_use]
+    pub fn chosen(&self) -> Chosen {
+        let chosen = self.chosen.lock();
+        chosen.unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Another preset is chosen, or it is changed.
+    pub fn choose(&self, chosen: Chosen) {
+        *self.chosen.lock().unwrap_or_else(PoisonError::into_inner) = chosen;
+    }
+
+    /// Takes what can be undone, or leaves it for the next window.
+    pub(super) fn past(&self) -> std::sync::MutexGuard<'_, Past> {
+        self.past.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 /// [`Saved`] as a field of the state.
@@ -78,6 +102,34 @@ impl PersistentField<'_, Words> for SavedField {
     }
 }
 
+/// The chosen preset as it is written: its key, whether it is changed, and whether it brought the tuning.
+type ChosenWords = (String, bool, bool);
+
+/// The chosen preset as a field of the state.
+pub(super) struct ChosenField(pub(super) Arc<Saved>);
+
+impl PersistentField<'_, ChosenWords> for ChosenField {
+    fn set(&self, (key, changed, tuned): ChosenWords) {
+        self.0.choose(Chosen {
+            key,
+            changed,
+            tuned,
+        });
+    }
+
+    fn map<F, R>(&self, f: F) -> R
+    where
+        F: Fn(&ChosenWords) -> R,
+    {
+        let Chosen {
+            key,
+            changed,
+            tuned,
+        } = self.0.chosen();
+        f(&(key, changed, tuned))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -90,5 +142,17 @@ mod tests {
         assert!(!field.0.dark());
         field.set((900.0, 500.0, true));
         assert_eq!(field.map(|words| *words), (900.0, 500.0, true));
+    }
+
+    #[test]
+    fn the_chosen_preset_is_kept() {
+        let (old, new) = (ChosenField(Arc::default()), ChosenField(Arc::default()));
+        old.0.choose(Chosen {
+            key: "user/A.toml".to_owned(),
+            changed: true,
+            tuned: false,
+        });
+        new.set(old.map(Clone::clone));
+        assert_eq!(new.0.chosen(), old.0.chosen());
     }
 }

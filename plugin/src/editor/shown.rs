@@ -3,11 +3,13 @@
 use super::figure::{Kind, key_name};
 use super::frame::Frame;
 use crate::engine::Partial;
-use crate::factory;
+use crate::shelf::Shelved;
 
 /// The partials of one body, worked out once.
 pub(super) struct Shown {
-    instrument: usize,
+    /// Number of the instrument.
+    pub(super) instrument: usize,
+    pub(super) bank: Shelved,
     pub(super) key: u8,
     pub(super) partials: Vec<Partial>,
     /// Loudest level since the last blow, as an amplitude over full scale.
@@ -17,9 +19,9 @@ pub(super) struct Shown {
 }
 
 impl Shown {
-    /// A body of that instrument: that of `key`, or else the one in the middle.
-    pub(super) fn new(instrument: usize, key: Option<u8>) -> Self {
-        let bodies = &factory::bank(instrument).bodies;
+    /// A body of the instrument of that number: that of `key`, or else the one in the middle.
+    pub(super) fn new(instrument: usize, bank: Shelved, key: Option<u8>) -> Self {
+        let bodies = &bank.bodies;
         let body = bodies
             .iter()
             .find(|body| Some(body.key) == key)
@@ -28,18 +30,29 @@ impl Shown {
             instrument,
             key: body.map_or(60, |body| body.key),
             partials: body.map_or_else(Vec::new, Partial::all),
+            bank,
             peak: 0.0,
             count: None,
         }
     }
 
-    /// Follows instrument and blows.
-    pub(super) fn follow(&mut self, instrument: usize, frame: &Frame) {
+    /// Follows instrument and blows; `bank` finds the one of a number.
+    pub(super) fn follow(
+        &mut self,
+        instrument: usize,
+        bank: impl FnOnce(usize) -> Shelved,
+        frame: &Frame,
+    ) {
         let struck = frame.struck;
         let key = struck.map(|struck| struck.key);
         if instrument != self.instrument || key.is_some_and(|key| key != self.key) {
             let known = key.filter(|_| instrument == self.instrument);
-            *self = Self::new(instrument, known.or(Some(self.key)));
+            let bank = if instrument == self.instrument {
+                self.bank.clone()
+            } else {
+                bank(instrument)
+            };
+            *self = Self::new(instrument, bank, known.or(Some(self.key)));
         }
         if self.count != struck.map(|struck| struck.count) {
             self.count = struck.map(|struck| struck.count);
@@ -61,10 +74,12 @@ impl Shown {
 
     /// Which body it is, in words.
     pub(super) fn title(&self) -> String {
-        let bank = factory::bank(self.instrument);
-        let body = bank.bodies.iter().find(|body| body.key == self.key);
+        let body = self.bank.bodies.iter().find(|body| body.key == self.key);
         body.map_or_else(String::new, |body| {
-            let long_m = body.length_m;
+            let long_m = match Kind::of(body) {
+                Kind::Bowl => 2.0 * body.line.points_m.first().map_or(0.0, |rim| rim[0]),
+                Kind::Bar | Kind::Tube => body.length_m,
+            };
             let size = if long_m < 1.0 {
                 format!("{:.1} cm", 1e2 * long_m)
             } else {

@@ -106,12 +106,15 @@ impl Editor for Window {
         gui_context: GuiContext,
         host: Option<HostMethods>,
     ) -> Result<SpawnedEditor<Self::Handle>, Box<dyn Error>> {
+        let mut ui = Ui::new(
+            Arc::clone(&self.controls),
+            Arc::clone(&self.saved),
+            Arc::clone(&self.link),
+        );
+        let windows = Arc::clone(&self.windows);
+        ui.instruments().watch(move || windows.repaint());
         let app = App {
-            ui: Ui::new(
-                Arc::clone(&self.controls),
-                Arc::clone(&self.saved),
-                Arc::clone(&self.link),
-            ),
+            ui,
             saved: Arc::clone(&self.saved),
             wanted: self.saved.size(),
             frames: 0,

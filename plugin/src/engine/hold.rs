@@ -66,6 +66,8 @@ pub struct Hit {
     pub velocity: f64,
     /// How far from the set position, in parts of the line.
     pub position: f64,
+    /// How far from the set place across, in parts of the width or of the way around.
+    pub across: f64,
     /// How much harder than the set mallet, in powers of ten.
     pub hardness_decades: f64,
     /// How much heavier than the set mallet, in powers of two.
@@ -79,6 +81,7 @@ impl Hit {
         Self {
             velocity,
             position: 0.0,
+            across: 0.0,
             hardness_decades: 0.0,
             mass_octaves: 0.0,
         }
@@ -97,6 +100,7 @@ impl Hit {
         Self {
             velocity: within(self.velocity, 1.0).max(0.0),
             position: within(self.position, 1.0),
+            across: within(self.across, 1.0),
             hardness_decades: within(self.hardness_decades, 5.0),
             mass_octaves: within(self.mass_octaves, 8.0),
         }

@@ -71,6 +71,7 @@ impl Trial {
             body,
             body_pa: contact_modulus_pa(&bank.material),
             tuned: Tuned {
+                trims: 0,
                 drain: Losses::AS_BUILT.drain(&bank.damping),
                 ratio: 1.0,
             },

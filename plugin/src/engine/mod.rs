@@ -21,12 +21,14 @@ mod mallet;
 mod motor;
 mod oscillators;
 mod partial;
+mod pulse;
 pub mod range;
 mod settings;
 mod source;
 mod swing;
 mod sympathy;
 mod touch;
+mod trims;
 mod tweak;
 
 pub use bow::Bow;
@@ -39,8 +41,10 @@ pub use mallet::Mallet;
 pub use motor::Discs;
 pub use oscillators::Vectors;
 pub use partial::{Partial, contact_s};
+pub use pulse::Pulse;
 pub use settings::Settings;
 pub(crate) use touch::chance;
+pub use trims::{MOST_TRIMS, Trim, Trims};
 pub use tweak::Tweak;
 
 /// Samples between two looks at the parameters, at what still sounds and at what has ended.

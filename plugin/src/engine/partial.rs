@@ -4,7 +4,7 @@ use super::mallet::contact_modulus_pa;
 use super::source::reached;
 use super::touch::Touch;
 use super::{Hit, Settings};
-use modes::{Bank, ModeLabel, Stencil};
+use modes::{Bank, ModeLabel, Stencil, StrikeGrid};
 use std::f64::consts::TAU;
 
 /// A mode of a body that strikes on its line make heard.
@@ -24,6 +24,7 @@ pub struct Partial {
     pub felt_per_s: f64,
     /// φ·n̂ along the line, in kg^(−1/2).
     normal: Vec<f32>,
+    grid: StrikeGrid,
     loudness: f64,
 }
 
@@ -45,26 +46,24 @@ impl Partial {
                     felt_per_s,
                     loudness: mode.loudness(),
                     normal: mode.normal,
+                    grid: body.line.grid(),
                 }
             })
             .collect()
     }
 
-    /// How loud it is beside the others after a blow at `position` 0…1 that lasts `contact_s`.
+    /// How loud it is beside the others after a blow at `position` and `across`, 0…1, that lasts `contact_s`.
     ///
     /// The force goes with the sine of the time to the power of 3/2 (Hertz's law for a force much softer
     /// than the body); this is the outline of that pulse's spectrum without its zeros. Where walls give way
     /// or the mallet touches twice, levels are up to 6 dB off.
     #[must_use]
-    pub fn level(&self, position: f64, contact_s: f64) -> f64 {
-        if self.normal.len() < Stencil::POINTS {
+    pub fn level(&self, [position, across]: [f64; 2], contact_s: f64) -> f64 {
+        if self.grid.columns < Stencil::POINTS {
             return 0.0;
         }
-        let stencil = Stencil::at(position, self.normal.len());
-        let points = stencil.weights.iter().zip(&self.normal[stencil.first..]);
-        let normal: f64 = points
-            .map(|(weight, value)| weight * f64::from(*value))
-            .sum();
+        let spot = self.grid.spot(position, across);
+        let normal = spot.value(|point| f64::from(self.normal[point]));
         let turned = TAU * self.hz * contact_s;
         let pulse = (1.0 + (turned / 4.4).powi(3)).powf(-5.0 / 6.0);
         normal.abs() * self.loudness * pulse
@@ -108,7 +107,7 @@ mod tests {
             let partials = Partial::all(body);
             let told = partials
                 .iter()
-                .map(|partial| partial.level(settings.strike_position, contact_s));
+                .map(|partial| partial.level([settings.strike_position, 0.0], contact_s));
             let pairs: Vec<(f64, f64, f64)> = partials
                 .iter()
                 .zip(told)

@@ -56,3 +56,7 @@ pub const ANGLE_DEG: RangeInclusive<f64> = -90.0..=90.0;
 pub const SHARE: RangeInclusive<f64> = 0.0..=1.0;
 /// Output gain, in dB.
 pub const GAIN_DB: RangeInclusive<f64> = -60.0..=12.0;
+/// Level of a trimmed mode over that as built, in dB.
+pub const TRIM_DB: RangeInclusive<f64> = -48.0..=12.0;
+/// How long a trimmed mode rings over how long it would.
+pub const TRIM_RINGING: RangeInclusive<f64> = 0.125..=8.0;

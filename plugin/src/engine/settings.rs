@@ -9,6 +9,9 @@ use std::ops::RangeInclusive;
 pub struct Settings {
     /// Where a strike lands on the line, 0…1.
     pub strike_position: f64,
+    /// Where across a body's width, or around it, a strike lands, 0…1; bodies with one line have but
+    /// that.
+    pub strike_across: f64,
     /// How far full velocity moves the strike, as a share of half the line.
     pub velocity_to_position: f64,
     /// How far chance moves the strike either way, as a share of half the line.
@@ -62,6 +65,7 @@ impl Settings {
     /// greatest motion; 22.4 %, where a tube hangs, is a node of the first.
     pub const DEFAULT: Self = Self {
         strike_position: 0.03,
+        strike_across: 0.0,
         velocity_to_position: 0.0,
         position_scatter: 0.0,
         speed_scatter_db: 0.0,
@@ -89,6 +93,7 @@ impl Settings {
                 range::STRIKE_POSITION,
                 normal.strike_position,
             ),
+            strike_across: within(self.strike_across, range::SHARE, normal.strike_across),
             velocity_to_position: within(
                 self.velocity_to_position,
                 range::VELOCITY_TO_POSITION,

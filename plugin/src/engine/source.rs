@@ -122,6 +122,8 @@ pub(crate) struct Hearing {
     pub(crate) width: f64,
     /// Left and right.
     pub(crate) ways: [Way; 2],
+    /// Number of the table of trims.
+    pub(crate) trims: u32,
 }
 
 impl Hearing {
@@ -130,6 +132,7 @@ impl Hearing {
         open: 1.0,
         width: 1.0,
         ways: [Way::AS_BUILT; 2],
+        trims: 0,
     };
 
     /// The same but for the resonator.

@@ -10,8 +10,10 @@ const FULL_SPEED_M_S: f64 = 5.0;
 pub(crate) struct Touch {
     /// Impact speed, in m/s.
     pub(crate) speed_m_s: f64,
-    /// Where on the strike line, 0…1.
+    /// Where along the strike grid, 0…1.
     pub(crate) position: f64,
+    /// Where across it, 0…1.
+    pub(crate) across: f64,
 }
 
 impl Touch {
@@ -24,6 +26,7 @@ impl Touch {
         Self {
             speed_m_s: FULL_SPEED_M_S * 10f64.powf(decibels / 20.0),
             position: reflect(settings.strike_position + hit.position + 0.5 * moved),
+            across: settings.strike_across + hit.across,
         }
     }
 }

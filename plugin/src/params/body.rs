@@ -114,7 +114,7 @@ impl Default for Body {
 }
 
 impl Body {
-    /// Index of the factory bank that is struck.
+    /// Index of the instrument that is struck: the factory's banks, then the user's own.
     #[must_use]
     pub fn index(&self) -> usize {
         index(&self.instrument)

@@ -3,11 +3,12 @@
 use super::mallets::MALLETS;
 use crate::factory;
 use crate::hands::{Mpe, Source, Target};
+use crate::shelf::{OWN, OWN_TITLE};
 
 /// What is chosen; the names' order never changes, or songs choose something else.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Choice {
-    /// A factory instrument.
+    /// A factory instrument, or the user's own.
     Instrument,
     /// A named mallet, or the one that the parameters describe.
     Mallet,
@@ -28,7 +29,7 @@ impl Choice {
     /// How many there are.
     pub(crate) const fn count(self) -> usize {
         match self {
-            Self::Instrument => factory::BANKS.len(),
+            Self::Instrument => OWN + 1,
             Self::Mallet => MALLETS.len() + 1,
             Self::Keys => KEYS.len(),
             Self::Mpe => Mpe::ALL.len(),
@@ -41,6 +42,7 @@ impl Choice {
     pub(crate) fn name(self, index: usize) -> &'static str {
         let index = index.min(self.count() - 1);
         match self {
+            Self::Instrument if index == OWN => OWN_TITLE,
             Self::Instrument => factory::title(index as f32),
             Self::Mallet => index.checked_sub(1).map_or("as set", |at| MALLETS[at].0),
             Self::Keys => KEYS[index],

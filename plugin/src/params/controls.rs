@@ -10,11 +10,14 @@ use super::mallet::Mallets;
 use super::motor::Motor;
 use super::output::Output;
 use super::strike::Strike;
+use super::trims::{TrimField, TrimTable};
 use crate::engine::Settings;
 use crate::hands::{self, SLOTS};
+use crate::notices::{Notices, Subject};
+use crate::shelf::Shelf;
 use crate::tuning::{KeyboardText, ScaleText, TuningTexts};
 use nice_plug::prelude::Params;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// One control for each [`super::Spec`]; the engine smooths what they say.
 #[derive(Params)]
@@ -55,16 +58,30 @@ pub struct Controls {
     /// The keyboard map that travels with the song.
     #[persist = "kbm"]
     pub keyboard: KeyboardText,
+    /// What is made of single modes, which travels with the song too.
+    #[persist = "trims"]
+    pub trimmed: TrimField,
+    trims: Arc<TrimTable>,
     tuning: Arc<TuningTexts>,
+    shelf: Arc<Shelf>,
+    notices: Arc<Notices>,
+    /// The instrument that the song wants and this version does not have, as the song says it.
+    wish: Mutex<Option<String>>,
 }
 
 impl Default for Controls {
     fn default() -> Self {
         let tuning = Arc::new(TuningTexts::default());
+        let trims = Arc::new(TrimTable::default());
         Self {
             scale: ScaleText(Arc::clone(&tuning)),
             keyboard: KeyboardText(Arc::clone(&tuning)),
             tuning,
+            trimmed: TrimField(Arc::clone(&trims)),
+            trims,
+            shelf: Arc::default(),
+            notices: Arc::default(),
+            wish: Mutex::default(),
             body: Body::default(),
             strike: Strike::default(),
             mallet: Mallets::default(),
@@ -99,6 +116,41 @@ impl Controls {
     #[must_use]
     pub fn tuning(&self) -> &TuningTexts {
         &self.tuning
+    }
+
+    /// What is made of single modes.
+    #[must_use]
+    pub fn trims(&self) -> &TrimTable {
+        &self.trims
+    }
+
+    /// The instruments within reach.
+    #[must_use]
+    pub fn shelf(&self) -> &Arc<Shelf> {
+        &self.shelf
+    }
+
+    /// What the user should know.
+    #[must_use]
+    pub fn notices(&self) -> &Arc<Notices> {
+        &self.notices
+    }
+
+    /// The instrument that the song wants and this version does not have, as the song says it.
+    pub(crate) fn wish(&self) -> Option<String> {
+        let wish = self.wish.lock();
+        wish.unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// See [`Self::wish`].
+    pub(crate) fn wish_for(&self, wish: Option<String>) {
+        *self.wish.lock().unwrap_or_else(PoisonError::into_inner) = wish;
+    }
+
+    /// The song is content with the instrument that stands in.
+    pub fn stay(&self) {
+        self.wish_for(None);
+        self.notices.clear(Subject::Instrument);
     }
 
     /// How hands are understood.

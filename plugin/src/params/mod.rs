@@ -18,7 +18,9 @@ mod spec;
 mod state;
 pub mod strike;
 mod text;
+mod trims;
 
 pub use controls::Controls;
 pub use spec::{GROUPS, Group, Spec, specs};
 pub use state::heal;
+pub use trims::{TrimField, TrimTable};

@@ -2,6 +2,8 @@
 
 use super::spec::{Spec, specs};
 use super::text::Text;
+use super::trims::Words;
+use crate::song;
 use nice_plug::params::persist::deserialize_field;
 use nice_plug::plugin::ParamValue;
 use nice_plug::prelude::PluginState;
@@ -9,12 +11,20 @@ use nice_plug::prelude::PluginState;
 /// The texts of the tuning.
 const TEXTS: [&str; 2] = ["scale", "kbm"];
 
+/// Which preset was chosen, if any: its key, whether it is changed, and whether it brought the tuning.
+#[cfg(feature = "gui")]
+const PRESET: &str = "preset";
+
 /// Brings every value into its range and gives every parameter that is missing its default; what is
-/// not known stays. A tuning that is missing is none.
+/// not known stays, and has its copy among the fields. A tuning that is missing is none, and so are a preset and
+/// trims that nobody can read. The instrument is found by its name, where the state has that.
 ///
 /// Hosts hand over what a file says: without this an infinite gain goes through, and a song from
 /// before a parameter existed keeps whatever value that parameter had.
 pub fn heal(state: &mut PluginState) {
+    song::note_version(&state.version, &mut state.fields);
+    song::recall_known(state, is_known);
+    song::resolve(state);
     for spec in specs() {
         let healed = healed(spec, state.params.get(spec.id));
         state.params.insert(spec.id.to_owned(), healed);
@@ -26,6 +36,27 @@ pub fn heal(state: &mut PluginState) {
             "\"\"".clone_into(field);
         }
     }
+    #[cfg(feature = "gui")]
+    heal_preset(state);
+    let field = state.fields.entry("trims".to_owned()).or_default();
+    if deserialize_field::<Words>(field).is_err() {
+        "[]".clone_into(field);
+    }
+    song::keep_unknown(state, is_known);
+}
+
+/// A song from before presets has none.
+#[cfg(feature = "gui")]
+fn heal_preset(state: &mut PluginState) {
+    let field = state.fields.entry(PRESET.to_owned()).or_default();
+    if deserialize_field::<(String, bool, bool)>(field).is_err() {
+        // None, as JSON.
+        "[\"\",false,false]".clone_into(field);
+    }
+}
+
+fn is_known(id: &str) -> bool {
+    specs().any(|spec| spec.id == id)
 }
 
 fn healed(spec: &Spec, saved: Option<&ParamValue>) -> ParamValue {
@@ -47,7 +78,6 @@ fn healed(spec: &Spec, saved: Option<&ParamValue>) -> ParamValue {
 mod tests {
     use super::*;
     use crate::hands::{Mpe, Source};
-    use crate::params::body::INSTRUMENT;
     use crate::params::mallet::HARDNESS;
     use std::collections::BTreeMap;
 
@@ -80,6 +110,41 @@ mod tests {
         assert_eq!(field("7").0, "\"\"");
     }
 
+    #[cfg(feature = "gui")]
+    #[test]
+    fn a_song_from_before_presets_has_none_and_one_with_a_preset_keeps_it() {
+        let field = |saved: Option<&str>| {
+            let saved = saved.map(|text| (PRESET.to_owned(), text.to_owned()));
+            let mut state = PluginState {
+                version: String::new(),
+                params: BTreeMap::new(),
+                fields: saved.into_iter().collect(),
+            };
+            heal(&mut state);
+            deserialize_field::<(String, bool, bool)>(&state.fields[PRESET]).unwrap()
+        };
+        assert_eq!(field(None), (String::new(), false, false));
+        assert_eq!(field(Some("[3]")), (String::new(), false, false));
+        let mine = ("user/A.toml".to_owned(), true, false);
+        assert_eq!(field(Some("[\"user/A.toml\",true,false]")), mine);
+    }
+
+    #[test]
+    fn trims_that_nobody_can_read_are_none() {
+        let label = r#"{"family":"torsion","order":0,"index":2,"member":"single"}"#;
+        let good = format!("[[{label},-6.0,2.0]]");
+        for (saved, healed) in [(Some(&*good), &*good), (Some("[[7]]"), "[]"), (None, "[]")] {
+            let fields = saved.map(|text| ("trims".to_owned(), text.to_owned()));
+            let mut state = PluginState {
+                version: String::new(),
+                params: BTreeMap::new(),
+                fields: fields.into_iter().collect(),
+            };
+            heal(&mut state);
+            assert_eq!(state.fields["trims"], healed);
+        }
+    }
+
     fn number(params: &BTreeMap<String, ParamValue>, id: &str) -> f32 {
         match params.get(id) {
             Some(ParamValue::F32(value)) => *value,
@@ -110,8 +175,7 @@ mod tests {
             ("tgt_8", ParamValue::I32(3)),
             ("limit", ParamValue::I32(0)),
         ]);
-        let last = INSTRUMENT.max as i32;
-        assert!(matches!(params.get("instr"), Some(ParamValue::I32(index)) if *index == last));
+        assert_eq!(chosen(&params, "instr"), 0, "the first stands in");
         assert_eq!(number(&params, "gain"), 0.0);
         assert_eq!(number(&params, "alpha1"), 0.0);
         assert_eq!(number(&params, "alpha2"), 100.0);

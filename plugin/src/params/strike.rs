@@ -19,6 +19,15 @@ pub const POSITION: Spec = Spec {
     ..Spec::percent(&range::STRIKE_POSITION, NORMAL.strike_position)
 };
 
+/// Where across a body a strike lands.
+pub const ACROSS: Spec = Spec {
+    id: "acrs",
+    name: "Strike across",
+    tooltip: "Where across its width, or around it, a body is struck. Counts for bodies with a surface, \
+              such as those of meshes, membranes and plates; tubes, bars and bowls have one line.",
+    ..Spec::percent(&range::SHARE, NORMAL.strike_across)
+};
+
 /// How velocity moves the strike.
 pub const FROM_VELOCITY: Spec = Spec {
     id: "vpos",
@@ -64,8 +73,9 @@ pub const SPEED_SCATTER: Spec = Spec {
     )
 };
 
-pub(super) const SPECS: [Spec; 5] = [
+pub(super) const SPECS: [Spec; 6] = [
     POSITION,
+    ACROSS,
     FROM_VELOCITY,
     SCATTER,
     VELOCITY_RANGE,
@@ -78,6 +88,9 @@ pub struct Strike {
     /// See [`POSITION`].
     #[id = "pos"]
     pub position: FloatParam,
+    /// See [`ACROSS`].
+    #[id = "acrs"]
+    pub across: FloatParam,
     /// See [`FROM_VELOCITY`].
     #[id = "vpos"]
     pub from_velocity: FloatParam,
@@ -96,6 +109,7 @@ impl Default for Strike {
     fn default() -> Self {
         Self {
             position: float(&POSITION).with_poly_modulation_id(Modulated::StrikePosition as u32),
+            across: float(&ACROSS),
             from_velocity: float(&FROM_VELOCITY),
             scatter: float(&SCATTER),
             velocity_range: float(&VELOCITY_RANGE),
@@ -112,6 +126,7 @@ impl Strike {
 
     pub(super) fn apply(&self, settings: &mut Settings) {
         settings.strike_position = share(&self.position);
+        settings.strike_across = share(&self.across);
         settings.velocity_to_position = share(&self.from_velocity);
         settings.position_scatter = share(&self.scatter);
         settings.velocity_range_db = plain(&self.velocity_range);

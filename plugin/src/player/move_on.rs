@@ -16,6 +16,10 @@ impl Player {
             self.tuner.set(table);
             self.stale |= self.tuner.follow();
         }
+        if let Some(trims) = self.controls.trims().fetch() {
+            self.stage.trim(&trims);
+            self.look_at = 0;
+        }
         self.hands.set(&self.controls.hands());
         let (settings, keys) = (self.controls.settings(), self.controls.bow.keys());
         if (settings, keys) == (self.settings, self.keys) {
@@ -82,6 +86,7 @@ impl Player {
                 touch.velocity
             },
             position: touch.position + strike.moved(touch.position_modulation),
+            across: 0.0,
             hardness_decades: touch.hardness_decades + mallet.harder(touch.hardness_modulation),
             mass_octaves: touch.mass_octaves,
         }

@@ -7,6 +7,7 @@ use modes::tuning::Tuning;
 use nice_plug::context::process::{SendEventError, Transport};
 use nice_plug::midi::{Channel, VoiceID};
 use nice_plug::prelude::{PluginApi, control_change};
+use std::sync::Arc;
 
 type Event = NoteEvent<()>;
 
@@ -77,7 +78,12 @@ fn cc(timing: u32, cc: u8, value: f32) -> Event {
 fn player() -> Player {
     let tuner = Tuner::new(Tuning::default(), None);
     let controls = Arc::new(Controls::default());
-    Player::new(Stage::new(0, 48_000.0), tuner, controls, 48_000.0)
+    Player::new(
+        Stage::new(0, crate::factory::bank(0), 48_000.0),
+        tuner,
+        controls,
+        48_000.0,
+    )
 }
 
 fn play(player: &mut Player, frames: usize, events: Vec<Event>) -> (Vec<f32>, Vec<(u32, i32)>) {
@@ -242,4 +248,32 @@ fn a_tail_is_told_while_something_rings() {
     let (left, _) = play(&mut player, later as usize + 48, vec![]);
     let rest = &left[later as usize..];
     assert!(rest.iter().all(|sample| sample.abs() < 2e-5));
+}
+
+#[test]
+fn trims_reach_what_rings_and_instruments_that_come_later() {
+    let mut player = player();
+    play(&mut player, 4800, vec![on(0, 1, 60, 0.8)]);
+    let bank = crate::factory::bank(0);
+    let body = bank.bodies.iter().find(|body| body.key == 60).unwrap();
+    let first = crate::engine::Partial::all(body)[0].label;
+    player
+        .controls
+        .trims()
+        .change(|trims| trims.set_solo(Some(first)));
+    play(&mut player, 64, vec![]);
+    let sounding = |player: &mut Player| {
+        let mut levels = [0.0f32; 64];
+        let count = player.stage().present().1.levels(60, &mut levels);
+        levels[..count].iter().filter(|level| **level > 0.0).count()
+    };
+    assert_eq!(sounding(&mut player), 1);
+    let bench = crate::workshop::Bench::new(Arc::default(), 48_000.0);
+    for wanted in [1, 0] {
+        player.stage().turn(wanted, &bench);
+        bench.work();
+        player.stage().turn(wanted, &bench);
+    }
+    play(&mut player, 4800, vec![on(0, 2, 60, 0.8)]);
+    assert_eq!(sounding(&mut player), 1, "a new engine knows the trims");
 }

@@ -14,6 +14,7 @@ impl Player {
                 key,
                 velocity,
                 position,
+                across,
             } => {
                 let velocity = f64::from(velocity);
                 let bow_pressure = match self.keys {
@@ -33,6 +34,7 @@ impl Player {
                         velocity
                     },
                     position: f64::from(position) - self.settings.strike_position,
+                    across: f64::from(across) - self.settings.strike_across,
                     ..Hit::plain(velocity)
                 };
                 self.stage.hit(key, &hit);
@@ -58,7 +60,7 @@ mod tests {
     fn player() -> Player {
         let tuner = Tuner::new(Tuning::default(), None);
         Player::new(
-            Stage::new(0, 48e3),
+            Stage::new(0, crate::factory::bank(0), 48e3),
             tuner,
             Arc::new(Controls::default()),
             48e3,
@@ -78,17 +80,20 @@ mod tests {
             key: 60,
             velocity: 0.8,
             position: 0.3,
+            across: 0.6,
         });
         let struck = player.stage().present().1.struck();
         let Some(Struck {
             key: 60,
             position,
+            across,
             velocity,
             ..
         }) = struck
         else {
             panic!("{struck:?}");
         };
+        assert!((across - 0.6).abs() < 1e-6);
         assert!((position - 0.3).abs() < 1e-6 && (velocity - 0.8).abs() < 1e-6);
         assert!(render(&mut player, 480) > 1e-3);
         assert_eq!(player.stage().awake(), 1 << 60);
@@ -102,6 +107,7 @@ mod tests {
                 key,
                 velocity: 1.0,
                 position: 0.5,
+                across: 0.0,
             });
             player.touch(Touch::Release { key });
         }

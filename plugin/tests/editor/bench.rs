@@ -6,6 +6,7 @@ use idiophone::editor::{Link, Saved, Touch, Ui};
 use idiophone::engine::{Engine, Vectors};
 use idiophone::factory;
 use idiophone::params::Controls;
+use idiophone::shelf::OWN;
 use nice_plug::prelude::{ParamPtr, ParamSetter, Params as _};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -32,7 +33,9 @@ impl Bench {
         let instrument = index(instrument);
         let controls = Arc::new(Controls::default());
         let (saved, link) = (Arc::new(Saved::default()), Arc::new(Link::default()));
-        let ui = Ui::new(Arc::clone(&controls), Arc::clone(&saved), Arc::clone(&link));
+        let mut ui = Ui::new(Arc::clone(&controls), Arc::clone(&saved), Arc::clone(&link));
+        // No test reads or writes what is the user's.
+        ui.keep_presets_in(None);
         let bench = Self {
             controls,
             saved,
@@ -40,9 +43,19 @@ impl Bench {
             host: Rc::default(),
             ui: Rc::new(RefCell::new(ui)),
         };
-        let last = factory::BANKS.len() - 1;
-        bench.set("instr", instrument as f32 / last as f32);
+        bench.set("instr", instrument as f32 / OWN as f32);
         bench
+    }
+
+    /// Another window of the same instance.
+    pub(crate) fn reopen(&self) {
+        // The old one first puts down what is to outlive it.
+        let spare = (Arc::default(), Arc::default(), Arc::default());
+        self.ui.replace(Ui::new(spare.0, spare.1, spare.2));
+        let (controls, saved, link) = (&self.controls, &self.saved, &self.link);
+        let mut ui = Ui::new(Arc::clone(controls), Arc::clone(saved), Arc::clone(link));
+        ui.keep_presets_in(None);
+        self.ui.replace(ui);
     }
 
     fn pointer(&self, id: &str) -> ParamPtr {
@@ -95,11 +108,13 @@ impl Bench {
         let instrument = index(instrument);
         let mut engine = Engine::with_vectors(factory::bank(instrument), 48e3, Vectors::Plain);
         engine.set(&self.controls.settings());
+        engine.set_trims(&self.controls.trims().get());
         let frames = (48e3 * each_s) as usize;
         let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
         for (key, velocity) in blows {
             assert!(engine.strike(*key, *velocity), "there is a body for {key}");
             engine.process(&mut left, &mut right);
+            self.link.hear(&left, &right);
         }
         let peak = |samples: &[f32]| samples.iter().fold(0.0f32, |most, x| most.max(x.abs()));
         let peaks = [peak(&left), peak(&right)];

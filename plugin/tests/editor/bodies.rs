@@ -20,10 +20,10 @@ fn button(harness: &mut Harness<'_>, at: Pos2, pressed: bool) {
     harness.step();
 }
 
-/// A place on a bar or tube, 0…1 from below.
+/// A place on a tube, 0…1 from above.
 fn place(harness: &Harness<'_>, name: &str, position: f32) -> Pos2 {
     let rect = harness.get_by_label(name).rect();
-    egui::pos2(rect.center().x, rect.bottom() - position * rect.height())
+    egui::pos2(rect.center().x, rect.top() + position * rect.height())
 }
 
 fn strikes(touches: &[Touch]) -> Vec<(u8, f32, f32)> {
@@ -32,10 +32,30 @@ fn strikes(touches: &[Touch]) -> Vec<(u8, f32, f32)> {
             key,
             velocity,
             position,
+            ..
         } => Some((key, velocity, position)),
         Touch::Release { .. } => None,
     };
     touches.iter().filter_map(strike).collect()
+}
+
+#[test]
+fn playing_is_one_step_to_undo() {
+    let bench = Bench::new("chimes");
+    let mut harness = bench.harness();
+    for (name, position) in [("C4", 0.25), ("E4", 0.5), ("G4", 0.7)] {
+        let at = place(&harness, name, position);
+        button(&mut harness, at, true);
+        button(&mut harness, at, false);
+        harness.run_steps(60);
+    }
+    assert!(bench.value("pos").0 > 0.6);
+    harness.get_by_label("Undo").click();
+    harness.run_steps(2);
+    assert_eq!(bench.value("pos").0, usual_position());
+    harness.get_by_label("Redo").click();
+    harness.run_steps(2);
+    assert!(bench.value("pos").0 > 0.6);
 }
 
 #[test]

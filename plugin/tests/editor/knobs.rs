@@ -173,3 +173,28 @@ fn a_switch_and_the_instrument_are_chosen() {
     harness.run_steps(3);
     assert_eq!(bench.text("instr"), "Vibraphone");
 }
+
+#[test]
+fn handles_of_damping_drag_their_parameters() {
+    let bench = Bench::new("vibraphone");
+    let mut harness = bench.harness();
+    harness.get_by_label("Decay").click();
+    harness.run_steps(2);
+    for (id, name) in [
+        ("alpha1", "Alpha 1"),
+        ("alpha2", "Alpha 2"),
+        ("tanphi", "Loss factor"),
+    ] {
+        bench.host.said();
+        let handle = format!("{name} handle");
+        drag(&mut harness, &handle, 30.0, Modifiers::NONE);
+        let places = gesture(&bench.host.said(), name);
+        assert!(
+            places.windows(2).all(|pair| pair[0] < pair[1]),
+            "{places:?}"
+        );
+        assert!(bench.value(id).0 > bench.value(id).1, "{id}");
+        drag(&mut harness, &handle, -400.0, Modifiers::NONE);
+        assert_eq!(bench.value(id).0, 0.0, "{id} down to nothing");
+    }
+}

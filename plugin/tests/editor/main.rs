@@ -6,8 +6,15 @@
 
 mod bench;
 mod bodies;
+mod body;
+mod browsing;
 mod host;
 mod knobs;
 mod looks;
+mod menus;
+mod own;
+mod partials;
 mod picture;
+mod presets;
 mod raster;
+mod shelves;

@@ -1,5 +1,6 @@
 //! The engine against closed forms, and against itself.
 
+mod across;
 mod hands;
 mod motor;
 mod partials;
@@ -7,3 +8,4 @@ mod real_time;
 mod ringing;
 mod strikes;
 mod support;
+mod trims;

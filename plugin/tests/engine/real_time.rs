@@ -104,6 +104,7 @@ fn anything_at_all_leaves_the_output_finite_and_bounded() {
                 },
                 _ => engine.set(&Settings {
                     strike_position: wild(&mut random, 1.0),
+                    strike_across: wild(&mut random, 1.0),
                     velocity_to_position: wild(&mut random, 1.0),
                     position_scatter: wild(&mut random, 1.0),
                     mallet: Mallet {

@@ -75,12 +75,13 @@ pub(crate) fn chime(key: u8, hz: f64) -> Body {
         pitch_hz: hz,
         length_m,
         mass_kg,
-        line: StrikeLine {
-            points_m: (0..POINTS)
+        line: StrikeLine::single(
+            (0..POINTS)
                 .map(|i| [0.0125, 0.0, length_m * i as f64 / (POINTS - 1) as f64])
                 .collect(),
-            normals: vec![[1.0, 0.0, 0.0]; POINTS],
-        },
+            vec![[1.0, 0.0, 0.0]; POINTS],
+        ),
+        surface: None,
         modes,
     }
 }
@@ -117,6 +118,7 @@ pub(crate) fn chimes(keys: impl IntoIterator<Item = u8>) -> Bank {
             .into_iter()
             .map(|key| chime(key, key_hz(key)))
             .collect(),
+        spread: None,
     }
 }
 

@@ -7,6 +7,7 @@ use clack_extensions::gui::{
 use clack_extensions::params::{
     HostParams, HostParamsImplMainThread, HostParamsImplShared, ParamClearFlags, ParamRescanFlags,
 };
+use clack_extensions::state::PluginState;
 use clack_extensions::thread_check::{HostThreadCheck, HostThreadCheckImpl};
 use clack_host::entry::{LibraryEntry, PluginEntry};
 use clack_host::prelude::*;
@@ -197,6 +198,15 @@ impl Host {
             }
             thread::sleep(Duration::from_millis(5));
         }
+    }
+
+    /// What a song would keep.
+    pub(crate) fn state(&mut self) -> Vec<u8> {
+        let handle = self.instance.plugin_handle();
+        let state: PluginState = handle.get_extension().unwrap();
+        let mut bytes = Vec::new();
+        state.save(&handle, &mut bytes).unwrap();
+        bytes
     }
 
     /// Greatest sample since it was last asked for.

@@ -1,8 +1,8 @@
 //! `bank`: what is in a bank.
 
 use crate::table::Table;
-use crate::{banks, note};
-use anyhow::Result;
+use crate::{banks, faust, note};
+use anyhow::{Result, bail};
 use clap::Args;
 use modes::{Body, Damping, Mode, t60_s};
 use serde::Serialize;
@@ -20,6 +20,15 @@ pub struct Bank {
     /// Write JSON
     #[arg(long)]
     pub json: bool,
+    /// Write the body of `--key` as a program in Faust, `modalModel(n, freq, t60, gain)`
+    #[arg(long, conflicts_with = "json")]
+    pub faust: bool,
+    /// Where along the body the Faust program strikes, in %
+    #[arg(long, value_name = "%", default_value_t = 100.0 * faust::STRUCK[0])]
+    pub position: f64,
+    /// Where across it, in %
+    #[arg(long, value_name = "%", default_value_t = 100.0 * faust::STRUCK[1])]
+    pub across: f64,
 }
 
 #[derive(Serialize)]
@@ -63,7 +72,7 @@ impl Bank {
             .extension()
             .is_some_and(|extension| extension == "bank")
         {
-            modes::Bank::load(file)?
+            modes::Bank::load(file)?.spread_out()
         } else {
             banks::precompute(&self.name, false)?.bank
         };
@@ -73,11 +82,28 @@ impl Bank {
 
     fn text(&self, bank: &modes::Bank) -> Result<String> {
         let body = self.key.map(|key| banks::body(bank, key)).transpose()?;
+        if self.faust {
+            return self.program(bank, body);
+        }
         match (body, self.json) {
             (Some(body), true) => json(&KeyJson::new(body, &bank.damping)),
             (Some(body), false) => Ok(modes_table(body, &bank.damping)),
             (None, true) => json(&BankJson::new(bank)),
             (None, false) => Ok(keys_table(bank)),
+        }
+    }
+
+    fn program(&self, bank: &modes::Bank, body: Option<&Body>) -> Result<String> {
+        for (name, value) in [("position", self.position), ("across", self.across)] {
+            if !(0.0..=100.0).contains(&value) {
+                bail!("--{name} {value} is out of range: give 0…100 %");
+            }
+        }
+        match body {
+            Some(body) => {
+                faust::program(bank, body, [self.position, self.across].map(|x| x / 100.0))
+            }
+            None => bail!("--faust needs --key N: a program has one body"),
         }
     }
 }
@@ -196,18 +222,16 @@ mod tests {
             pipe_per_s: 0.125,
             residual: 1e-12,
             label,
-            shape: Vec::new(),
+            shape: Vec::new().into(),
         };
-        let line = StrikeLine {
-            points_m: Vec::new(),
-            normals: Vec::new(),
-        };
+        let line = StrikeLine::single(Vec::new(), Vec::new());
         let body = Body {
             key: 74,
             pitch_hz: 587.33,
             length_m: 0.505,
             mass_kg: 0.2,
             line,
+            surface: None,
             modes: vec![mode],
         };
         modes::Bank {
@@ -224,12 +248,21 @@ mod tests {
             },
             provenance: modes::Provenance::default(),
             bodies: vec![body],
+            spread: None,
         }
     }
 
     fn text(key: Option<u8>, json: bool) -> Result<String> {
         let name = "chimes".to_owned();
-        Bank { name, key, json }.text(&bank())
+        let command = Bank {
+            name,
+            key,
+            json,
+            faust: false,
+            position: 3.0,
+            across: 0.0,
+        };
+        command.text(&bank())
     }
 
     #[test]

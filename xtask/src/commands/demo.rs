@@ -3,6 +3,7 @@
 mod piece;
 
 use super::{Figure, Precompute, Spectrogram, bundle};
+use crate::mesh_bank::MeshOptions;
 use crate::midi::Song;
 use crate::workspace;
 use anyhow::{Context, Result};
@@ -29,6 +30,7 @@ impl Demo {
         Precompute {
             name: None,
             force: false,
+            mesh: MeshOptions::default(),
         }
         .run()?;
         println!("2/3 The plug-in, with the banks inside.");

@@ -1,6 +1,6 @@
 //! What a body's modes sound like: pitch, length and level.
 
-use modes::{Body, Damping, Mode, ModeLabel, Stencil, t60_s};
+use modes::{Body, Damping, Mode, ModeLabel, t60_s};
 use std::f64::consts::TAU;
 
 /// Where on its line the body is struck, 0…1: where the plug-in strikes unless told otherwise.
@@ -27,7 +27,7 @@ pub(super) fn dots(body: &Body, damping: &Damping, position: f64) -> Vec<Dot> {
         .modes
         .iter()
         .map(|mode| {
-            let start = pressure_pa(body, mode, position);
+            let start = pressure_pa(body, mode, [position, 0.0]);
             start * lasting(mode.decay_per_s(damping))
         })
         .collect();
@@ -54,11 +54,11 @@ fn lasting(decay_per_s: f64) -> f64 {
     }
 }
 
-/// Pressure that a mode sends to the nearer ear after 1 N·s along the normal at `position`: the
-/// impulse gives the mode an amplitude φ·n/ω (O'Brien 2002, Eq. 18 without its 2).
-fn pressure_pa(body: &Body, mode: &Mode, position: f64) -> f64 {
-    let stencil = Stencil::at(position, body.line.len());
-    let normal = body.line.normal_motion(&mode.shape, &stencil);
+/// Pressure that a mode sends to the nearer ear after 1 N·s along the normal at a place along and
+/// across the strike grid: the impulse gives the mode an amplitude φ·n/ω (O'Brien 2002, Eq. 18 without its 2).
+pub(crate) fn pressure_pa(body: &Body, mode: &Mode, [position, across]: [f64; 2]) -> f64 {
+    let spot = body.line.grid().spot(position, across);
+    let normal = body.line.normal_motion(&mode.shape, &spot);
     let ear = (0..2)
         .map(|ear| {
             let [real, imaginary] = [0, 1]
@@ -92,7 +92,7 @@ mod tests {
                 index: 1,
                 member: Member::Single,
             },
-            shape: vec![[9.0, 0.0, radial]; 8],
+            shape: vec![[9.0, 0.0, radial]; 8].into(),
         }
     }
 
@@ -102,10 +102,8 @@ mod tests {
             pitch_hz: 100.0,
             length_m: 1.0,
             mass_kg: 1.0,
-            line: StrikeLine {
-                points_m: vec![[0.0; 3]; 8],
-                normals: vec![[0.0, 0.0, 1.0]; 8],
-            },
+            line: StrikeLine::single(vec![[0.0; 3]; 8], vec![[0.0, 0.0, 1.0]; 8]),
+            surface: None,
             modes,
         }
     }
@@ -121,7 +119,7 @@ mod tests {
     #[test]
     fn pressure_is_motion_over_frequency_at_the_nearer_ear() {
         let mode = mode(100.0, 2.0);
-        let found = pressure_pa(&body(vec![mode.clone()]), &mode, 0.5);
+        let found = pressure_pa(&body(vec![mode.clone()]), &mode, [0.5, 0.0]);
         assert!((found / (2.0 * 5.0 / (TAU * 100.0)) - 1.0).abs() < 1e-6);
     }
 

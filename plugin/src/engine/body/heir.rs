@@ -60,7 +60,11 @@ impl Body {
             let (from, j) = (&old_packs[theirs / LANES], theirs % LANES);
             // A solver leaves the sign of a shape open.
             let (source, other) = (&self.sources[ours / LANES], &old.sources[theirs / LANES]);
-            let sign = if source.agrees(i, other, j) { 1.0 } else { -1.0 };
+            let sign = if source.agrees(i, other, j) {
+                1.0
+            } else {
+                -1.0
+            };
             (to.x[i], to.y[i]) = (sign * from.x[j], sign * from.y[j]);
         }
         self.live = self.tones.len();

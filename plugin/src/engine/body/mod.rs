@@ -3,6 +3,7 @@
 mod heir;
 mod joined;
 mod pushed;
+mod trimmed;
 mod tuned;
 
 pub(crate) use pushed::Strike;
@@ -15,8 +16,10 @@ use super::oscillators::{LANES, Pack, Step, Tone};
 use super::source::{Hearing, Reached, Source, reached};
 use super::sympathy::Strand;
 use heir::Names;
+use modes::StrikeGrid;
 use pushed::MALLETS;
 use std::ops::Range;
+use trimmed::Trimmed;
 
 /// Amplitude below which a mode is stopped, as a fraction of full scale: −180 dB.
 pub(crate) const FLOOR: f64 = 1e-9;
@@ -36,13 +39,14 @@ pub(crate) struct Body {
     /// What is heard of it otherwise at the end of this cell than at its start.
     pub(crate) fading: Moved,
     tones: Vec<Tone>,
+    trimmed: Trimmed,
     sources: Vec<Source>,
     names: Names,
     /// Leading packs that are heard through a resonator.
     piped: usize,
     /// φ·n̂ in kg^(−1/2), point by point and mode by mode.
     normal: Vec<f32>,
-    points: usize,
+    grid: StrikeGrid,
     mallets: [Contact; MALLETS],
     rub: Rub,
     /// How its lowest modes hang on the common support.
@@ -86,11 +90,12 @@ impl Body {
             driven: false,
             fading: Moved::NONE,
             piped: usize::from(modes.iter().any(Reached::is_piped)),
+            trimmed: Trimmed::new(&modes),
             tones,
             sources,
             names: Names::new(modes.iter().map(|mode| mode.label)),
             normal,
-            points,
+            grid: body.line.grid(),
             mallets: std::array::from_fn(|_| Contact::new(packs)),
             strand,
             rub: grips::bow(&modes, body.line.points_m[0]),
@@ -170,6 +175,7 @@ impl Body {
                     omega: tone.omega[i],
                     decay_per_s: f64::from(tone.decay[i]),
                     power: energy * gains.map(|gain| gain * gain).sum::<f64>(),
+                    swing: energy.sqrt() / tone.omega[i],
                 }
             })
         })
@@ -184,4 +190,6 @@ pub(crate) struct Sound {
     pub(crate) decay_per_s: f64,
     /// Square of its amplitude, sum of both ears.
     pub(crate) power: f64,
+    /// Its amplitude, in m·kg^(1/2).
+    pub(crate) swing: f64,
 }

@@ -6,7 +6,6 @@ use crate::engine::contact::Blow;
 use crate::engine::mallet::Mallet;
 use crate::engine::oscillators::{Drive, Kernel, LANES, Pack, Tone};
 use crate::engine::touch::Touch;
-use modes::Stencil;
 
 /// Mallets on a body at the same time.
 pub(crate) const MALLETS: usize = 4;
@@ -48,7 +47,7 @@ impl Body {
         self.rub.touches || self.mallets.iter().any(|mallet| mallet.touches)
     }
 
-    /// A mallet touches down at `position` on the line: every mode may ring from now on.
+    /// A mallet touches down at its place on the surface: every mode may ring from now on.
     ///
     /// A mode's sound goes with its acceleration, −ω² times its displacement while it rings; but what
     /// a force F holds it out without moving it, Fφ/ω², is silent. [`Contact::still`] is that part of
@@ -70,7 +69,7 @@ impl Body {
         }
         self.begin_drive();
         let slot = self.vacant();
-        let mobility = self.reach(touch.position, heavier, slot);
+        let mobility = self.reach(touch, heavier, slot);
         let contact = &mut self.mallets[slot];
         contact.still = self
             .tones
@@ -136,19 +135,19 @@ impl Body {
         best
     }
 
-    /// Writes φ·n̂ at `position` for the mallet in `slot`; Σ(φ·n̂)² in 1/kg. Modes that are silent at
+    /// Writes φ·n̂ where `touch` lands for the mallet in `slot`; Σ(φ·n̂)² in 1/kg. Modes that are silent at
     /// this sample rate do not count.
-    fn reach(&mut self, position: f64, heavier: f64, slot: usize) -> f64 {
+    fn reach(&mut self, touch: Touch, heavier: f64, slot: usize) -> f64 {
         // Shapes go with the root of the mass.
         let lighter = heavier.sqrt().recip();
         let reach = &mut self.mallets[slot].reach;
         let width = reach.len() * LANES;
-        let stencil = Stencil::at(position, self.points);
+        let spot = self.grid.spot(touch.position, touch.across);
         let mut sum = 0.0;
         for (pack, (reach, tone)) in reach.iter_mut().zip(&self.tones).enumerate() {
             *reach = [0.0; LANES];
-            for (k, share) in stencil.weights.into_iter().enumerate() {
-                let row = &self.normal[(stencil.first + k) * width + pack * LANES..][..LANES];
+            for (point, share) in spot.points() {
+                let row = &self.normal[point * width + pack * LANES..][..LANES];
                 for (reach, normal) in reach.iter_mut().zip(row) {
                     *reach += lighter * share * f64::from(*normal);
                 }

@@ -4,6 +4,7 @@ use super::Body;
 use crate::engine::losses::Drain;
 use crate::engine::oscillators::{Kernel, Pack, Tune, TuneSteps};
 use crate::engine::source::Hearing;
+use crate::engine::trims::Trims;
 
 /// Everything that the steps of a body's modes depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +12,8 @@ pub(crate) struct Tuned {
     pub(crate) drain: Drain,
     /// Frequencies over those as built.
     pub(crate) ratio: f64,
+    /// Number of the table of trims.
+    pub(crate) trims: u32,
 }
 
 /// How many leading packs are to be heard otherwise than before.
@@ -31,11 +34,19 @@ impl Body {
         }
     }
 
+    /// Takes up a table of trims by its number: it counts from when the modes are next tuned and listened
+    /// to.
+    pub(crate) fn trim(&mut self, trims: &Trims, number: u32) {
+        self.trimmed.follow(trims, number);
+    }
+
     /// From the end of this cell on the body is heard so; which packs are heard otherwise then.
     pub(crate) fn listen(&mut self, hearing: &Hearing) -> Moved {
         let moved = self.moved(hearing);
-        for (tone, source) in self.tones.iter_mut().zip(&self.sources).take(moved.0) {
+        let modes = self.tones.iter_mut().zip(&self.sources);
+        for (pack, (tone, source)) in modes.enumerate().take(moved.0) {
             source.gains(hearing, &tone.omega, &mut tone.gain);
+            self.trimmed.turn(pack, &mut tone.gain);
         }
         self.heard = Some(*hearing);
         moved
@@ -62,15 +73,17 @@ impl Body {
         if count == 0 {
             return false;
         }
+        let trimmed = self.trimmed.drain(&mut self.tones[..count], &tuned);
         kernel.run(Tune {
             tones: &mut self.tones[..count],
             packs: &mut packs[self.place.clone()][..count],
             drain: tuned.drain,
             ratio: pitch.then_some(tuned.ratio),
             gains: moved > 0,
-            causes: self
-                .tuned
-                .is_none_or(|old| old.drain.shares() != tuned.drain.shares()),
+            causes: trimmed
+                || self
+                    .tuned
+                    .is_none_or(|old| old.drain.shares() != tuned.drain.shares()),
             exact,
             off: &mut self.off,
             step_s,

@@ -61,10 +61,11 @@ fn random_body(chance: &mut Chance, modes: usize) -> modes::Body {
         pitch_hz: lowest,
         length_m: 0.3,
         mass_kg,
-        line: modes::StrikeLine {
-            points_m: (0..POINTS).map(|i| [0.0, 0.0, f64::from(i)]).collect(),
-            normals: vec![[1.0, 0.0, 0.0]; usize::from(POINTS)],
-        },
+        line: modes::StrikeLine::single(
+            (0..POINTS).map(|i| [0.0, 0.0, f64::from(i)]).collect(),
+            vec![[1.0, 0.0, 0.0]; usize::from(POINTS)],
+        ),
+        surface: None,
         modes,
     }
 }
@@ -80,6 +81,7 @@ impl Contact {
 }
 
 const FREE: Tuned = Tuned {
+    trims: 0,
     drain: Drain {
         alpha1_s: 0.0,
         alpha2_per_s: 0.0,
@@ -142,6 +144,7 @@ fn no_blow_creates_energy() {
             touch: Touch {
                 speed_m_s: chance.between(1e-3, 10.0),
                 position: chance.unit(),
+                across: 0.0,
             },
             seed: trial,
         };

@@ -64,6 +64,7 @@ impl Engine {
                 ..*drain
             },
             ratio: self.pitch * hand.bend * doppler,
+            trims: self.trims_number,
         }
     }
 
@@ -89,6 +90,7 @@ impl Engine {
             open: self.motor.open(),
             width: self.width,
             ways,
+            trims: self.trims_number,
         }
     }
 
@@ -155,6 +157,7 @@ impl Engine {
                 continue;
             };
             if self.awake & bit(key) == 0 {
+                body.trim(&self.trims, self.trims_number);
                 let moved = body.listen(&hearing);
                 body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
             }
@@ -197,6 +200,7 @@ impl Engine {
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
+            body.trim(&self.trims, self.trims_number);
             let moved = hearing.map_or(Moved::NONE, |hearing| body.listen(&hearing));
             if body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s) {
                 self.stale |= bit(key);

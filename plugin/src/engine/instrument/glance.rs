@@ -1,14 +1,18 @@
 //! What can be seen of an engine while it plays.
 
 use super::{Body, Engine, keys};
+use crate::engine::body::Sound;
+use crate::engine::touch::Touch;
 
 /// The last blow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Struck {
     /// Whose body.
     pub key: u8,
-    /// Where on its line, 0…1.
+    /// Where along it, 0…1.
     pub position: f64,
+    /// Where across it, 0…1.
+    pub across: f64,
     /// How hard, 0…1.
     pub velocity: f64,
     /// How many blows there were before; goes round.
@@ -47,10 +51,11 @@ impl Engine {
         self.struck
     }
 
-    pub(super) fn remember(&mut self, key: u8, position: f64, velocity: f64) {
+    pub(super) fn remember(&mut self, key: u8, touch: &Touch, velocity: f64) {
         self.struck = Some(Struck {
             key,
-            position,
+            position: touch.position,
+            across: touch.across,
             velocity,
             count: self.struck.map_or(0, |last| last.count.wrapping_add(1)),
         });
@@ -73,12 +78,23 @@ impl Engine {
     /// Writes how loud each mode of a key's body is now, as an amplitude over full scale, in the order of
     /// [`Partial::all`](super::super::Partial::all); how many were written.
     pub fn levels(&self, key: u8, out: &mut [f32]) -> usize {
+        self.each_mode(key, out, |sound| sound.power.sqrt())
+    }
+
+    /// Writes how far each mode of a key's body swings now, in m·kg^(1/2), in the order of
+    /// [`Partial::all`](super::super::Partial::all); how many were written.
+    pub fn swings(&self, key: u8, out: &mut [f32]) -> usize {
+        self.each_mode(key, out, |sound| sound.swing)
+    }
+
+    /// Writes what `of` says of each mode of a key's body; how many were written.
+    fn each_mode(&self, key: u8, out: &mut [f32], of: impl Fn(&Sound) -> f64) -> usize {
         let Some(body) = self.body(key) else {
             return 0;
         };
         let mut written = 0;
         for (out, sound) in out.iter_mut().zip(body.sounds(&self.packs)) {
-            *out = sound.power.sqrt() as f32;
+            *out = of(&sound) as f32;
             written += 1;
         }
         written

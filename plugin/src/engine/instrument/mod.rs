@@ -17,6 +17,7 @@ use super::motor::Motor;
 use super::oscillators::{Kernel, Pack, Vectors};
 use super::source::Way;
 use super::swing::{Swing, SwingStep};
+use super::trims::Trims;
 use super::{GRID, Settings};
 use modes::{Bank, Damping, Stencil};
 use playing::Hand;
@@ -78,6 +79,9 @@ pub struct Engine {
     kernel: Kernel,
     step_s: f64,
     position: u64,
+    /// What is made of single modes, and how many tables there were before.
+    trims: Trims,
+    trims_number: u32,
     /// The last blow.
     struck: Option<Struck>,
 }
@@ -131,7 +135,7 @@ impl Engine {
             .iter()
             .filter(|body| {
                 body.key < 128
-                    && body.line.len() >= Stencil::POINTS
+                    && body.line.grid().columns >= Stencil::POINTS
                     && body.line.normals.len() == body.line.len()
                     && body.mass_kg > 0.0
             })
@@ -174,6 +178,8 @@ impl Engine {
             kernel,
             step_s,
             position: 0,
+            trims: Trims::NONE,
+            trims_number: 0,
             struck: None,
         }
     }
@@ -207,6 +213,21 @@ impl Engine {
             self.glides.aim(&self.settings);
             self.stale = u128::MAX;
         }
+    }
+
+    /// Makes single modes louder, longer or alone, from the next grid point on.
+    pub fn set_trims(&mut self, trims: &Trims) {
+        if *trims != self.trims {
+            self.trims = *trims;
+            self.trims_number = self.trims_number.wrapping_add(1).max(1);
+            (self.stale, self.unheard) = (u128::MAX, u128::MAX);
+        }
+    }
+
+    /// Samples of a second.
+    #[must_use]
+    pub fn sample_rate_hz(&self) -> f64 {
+        self.step_s.recip()
     }
 
     /// The keys whose bodies sound, bit 0 for key 0.

@@ -45,7 +45,7 @@ impl Engine {
         self.choked &= !bit(key);
         self.stale |= bit(key);
         let touch = Touch::new(&self.settings, &hit, chance(key, self.position));
-        self.remember(key, touch.position, hit.velocity);
+        self.remember(key, &touch, hit.velocity);
         let hand = &mut self.hands[usize::from(key)];
         hand.hold.felt = 0.0;
         if self.settings.bow.rubs {
@@ -87,6 +87,7 @@ impl Engine {
         if self.awake & bit(key) == 0 {
             self.awake |= bit(key);
             body.fading = Moved::NONE;
+            body.trim(&self.trims, self.trims_number);
             let moved = body.listen(&hearing);
             body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
         } else if self.driven & bit(key) == 0 {

@@ -1,0 +1,191 @@
+//! One body, many keys: what is solved once is scaled to each key by exact laws.
+
+use super::{Bank, Body, Ears, Mode};
+use crate::equal_temperament_hz;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// Highest frequency that a mode is kept for, in Hz: what people hear.
+const HIGHEST_HZ: f64 = 20_000.0;
+
+/// How the bodies of a bank are given to keys.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Spread {
+    /// What changes from key to key.
+    pub rule: SpreadRule,
+    /// Pitch of key 69, in Hz.
+    pub a4_hz: f64,
+    /// The keys of each body of the bank, in the order of the bodies.
+    pub zones: Vec<Zone>,
+}
+
+/// What is changed of a body so that it sounds at a key's pitch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SpreadRule {
+    /// All lengths, those of what holds it included.
+    Size,
+    /// The density (O'Brien 2002 §3.3); the air sees the same motion at another frequency.
+    Density,
+    /// The stiffness (the same).
+    Stiffness,
+    /// Nothing: all keys of a zone sound alike.
+    Fixed,
+}
+
+/// Keys of one body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Zone {
+    /// Lowest key.
+    pub low: u8,
+    /// Highest key, no less than `low`.
+    pub high: u8,
+    /// Which mode carries the pitch, counted from 0.
+    pub tuned: u32,
+}
+
+/// What the fields of a body and its modes are multiplied by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Factors {
+    length: f64,
+    mass: f64,
+    hz: f64,
+    shape: f64,
+    /// Pressure at the ears for a unit modal displacement.
+    ears: f64,
+    coupling: f64,
+    radiation: f64,
+    /// Decay rates by what touches the body.
+    touch: f64,
+}
+
+impl SpreadRule {
+    /// What it takes to multiply frequencies by `ratio`.
+    ///
+    /// A body γ times as large has ω/γ and φ γ^(−3/2), for ∫ρφ² dV is 1. Waves in the air are γ
+    /// times as long too, so that the share of its energy that a mode radiates in a cycle stays, as does
+    /// what supports γ times as large take: every decay rate goes with ω. Pressure at a distance goes
+    /// with the root of the power, that is ω²d.
+    ///
+    /// Of another density β, M is βM: ω β^(−1/2), φ β^(−1/2). Of another stiffness κ, ω κ^(1/2)
+    /// and φ as it is. In both the body stays as large, and what radiates as well at one frequency as
+    /// at the other does so by its velocity ωφ: exactly where the waves in air are short beside it.
+    fn factors(self, ratio: f64) -> Factors {
+        match self {
+            Self::Size => Factors {
+                length: ratio.recip(),
+                mass: ratio.powi(-3),
+                hz: ratio,
+                shape: ratio.powf(1.5),
+                ears: ratio.powf(1.5),
+                coupling: ratio.sqrt(),
+                radiation: ratio,
+                touch: ratio,
+            },
+            Self::Density => Factors {
+                length: 1.0,
+                mass: ratio.powi(-2),
+                hz: ratio,
+                shape: ratio,
+                ears: ratio * ratio,
+                coupling: ratio * ratio,
+                radiation: ratio * ratio,
+                touch: ratio * ratio,
+            },
+            Self::Stiffness => Factors {
+                length: 1.0,
+                mass: 1.0,
+                hz: ratio,
+                shape: 1.0,
+                ears: ratio,
+                coupling: ratio,
+                radiation: 1.0,
+                touch: 1.0,
+            },
+            Self::Fixed => Factors {
+                length: 1.0,
+                mass: 1.0,
+                hz: 1.0,
+                shape: 1.0,
+                ears: 1.0,
+                coupling: 1.0,
+                radiation: 1.0,
+                touch: 1.0,
+            },
+        }
+    }
+}
+
+impl Bank {
+    /// The bank with a body of its own for each key that [`Bank::spread`] gives it: what engines play.
+    /// Modes that come to lie above 20 kHz are left out. A bank without a spread is as it was.
+    ///
+    /// Shapes and surfaces are shared by the keys of a body.
+    #[must_use]
+    pub fn spread_out(mut self) -> Self {
+        let Some(spread) = self.spread.take() else {
+            return self;
+        };
+        let zones = self.bodies.iter().zip(&spread.zones);
+        self.bodies = zones
+            .flat_map(|(body, zone)| {
+                let spread = &spread;
+                (zone.low..=zone.high).map(move |key| spread.body(body, *zone, key))
+            })
+            .collect();
+        self
+    }
+}
+
+impl Spread {
+    /// `body` as it is at `key`.
+    pub(super) fn body(&self, body: &Body, zone: Zone, key: u8) -> Body {
+        let tuned_hz = body.modes.get(zone.tuned as usize).map(|mode| mode.hz);
+        let (pitch_hz, ratio) = match (self.rule, tuned_hz) {
+            (SpreadRule::Fixed, _) | (_, None) => (body.pitch_hz, 1.0),
+            (_, Some(tuned_hz)) => {
+                let pitch_hz = equal_temperament_hz(key, self.a4_hz);
+                (pitch_hz, pitch_hz / tuned_hz)
+            }
+        };
+        let factors = self.rule.factors(ratio);
+        let audible =
+            |mode: &&Mode| self.rule == SpreadRule::Fixed || mode.hz * ratio <= HIGHEST_HZ;
+        Body {
+            key,
+            pitch_hz,
+            length_m: factors.length * body.length_m,
+            mass_kg: factors.mass * body.mass_kg,
+            line: body.line.scaled(factors.length),
+            surface: body.surface.as_ref().map(Arc::clone),
+            modes: body
+                .modes
+                .iter()
+                .filter(audible)
+                .map(|mode| factors.mode(mode))
+                .collect(),
+        }
+    }
+}
+
+impl Factors {
+    fn mode(&self, mode: &Mode) -> Mode {
+        let rate = |factor: f64, rate: f32| (factor * f64::from(rate)) as f32;
+        let ears = |ears: &Ears| ears.map(|ear| ear.map(|x| rate(self.ears, x)));
+        Mode {
+            hz: self.hz * mode.hz,
+            coupling: self.coupling * mode.coupling,
+            ears: ears(&mode.ears),
+            pipe_ears: mode.pipe_ears,
+            radiation_per_s: rate(self.radiation, mode.radiation_per_s),
+            support_per_s: rate(self.touch, mode.support_per_s),
+            felt_per_s: rate(self.touch, mode.felt_per_s),
+            pipe_per_s: mode.pipe_per_s,
+            residual: mode.residual,
+            label: mode.label,
+            shape: mode.shape.scaled(self.shape),
+        }
+    }
+}

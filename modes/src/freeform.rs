@@ -1,0 +1,18 @@
+//! Bodies of any shape: from a mesh of ten-node tetrahedra to modes, strike grid, surface and bank.
+
+mod air;
+mod axes;
+mod bank;
+mod body;
+mod grid;
+mod made;
+mod outside;
+mod skin;
+mod solve;
+#[cfg(test)]
+mod tests;
+
+pub use bank::{FreeError, free_bank};
+pub use body::{FreeBody, free_body};
+pub use made::{Made, MadeError, make};
+pub use solve::Limits;

@@ -1,0 +1,36 @@
+//! Any closed shape as ten-node tetrahedra: a file's triangles repaired, then filled.
+
+mod body;
+mod closed;
+mod error;
+mod features;
+mod filling;
+mod fit;
+pub mod gallery;
+mod lattice;
+mod meshing;
+mod note;
+mod obj;
+mod quality;
+mod repair;
+mod resolution;
+mod shell;
+mod soup;
+mod stuffing;
+mod thickness;
+mod topology;
+mod tree;
+mod vector;
+
+pub use closed::ClosedSurface;
+pub use error::{MeshError, ObjError};
+pub use meshing::{Meshed, mesh_solid};
+pub use note::Note;
+pub use obj::{ObjFile, parse_obj, read_obj, write_obj};
+pub use quality::Quality;
+pub use repair::{Pieces, Repair, repair};
+pub use resolution::{Meshing, Resolution};
+pub use soup::{Soup, SoupObject};
+
+#[cfg(test)]
+mod tests;

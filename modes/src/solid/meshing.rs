@@ -1,0 +1,156 @@
+//! From a closed surface to its mesh.
+
+use super::body::Body;
+use super::features::Features;
+use super::filling::{STEPS, fitted};
+use super::fit::{Curved, curve};
+use super::quality::{dihedrals_deg, volume_length};
+use super::repair::length;
+use super::stuffing::Tets;
+use super::{ClosedSurface, MeshError, Meshing, Note, Quality, Resolution, resolution, shell};
+use crate::factory::Progress;
+use crate::fem::tet10_volume;
+use crate::mesh::{Elements, Mesh};
+
+/// Volume over that of the surface below which parts are said to be lost.
+const LOST: f64 = 0.97;
+
+/// Nodes of a wall over those asked for from which that is said.
+const MORE: f64 = 1.4;
+
+/// A meshed body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meshed {
+    /// Ten-node tetrahedra, in m.
+    pub mesh: Mesh,
+    /// Triangles of its boundary: three corners, counter-clockwise from outside, then the nodes in
+    /// the middle of their three edges in turn.
+    pub boundary: Vec<[u32; 6]>,
+    /// The surface that was filled, in m.
+    pub surface: ClosedSurface,
+    /// The elements' shapes.
+    pub quality: Quality,
+    /// What the owner should know, repairs included.
+    pub notes: Vec<Note>,
+}
+
+/// Fills `surface` with ten-node tetrahedra, its sharp edges kept and its curved sides followed by the
+/// nodes in the middle of edges.
+///
+/// # Errors
+///
+/// [`MeshError`] if the body is too thin for the nodes allowed, or `progress` breaks.
+pub fn mesh_solid(
+    surface: &ClosedSurface,
+    how: &Meshing,
+    progress: &dyn Progress,
+) -> Result<Meshed, MeshError> {
+    check(surface, how)?;
+    let mut notes = surface.notes.clone();
+    let (curved, straight) = elements(surface, how, progress, &mut notes)?;
+    let Curved {
+        mesh,
+        boundary,
+        straight_share,
+    } = curved;
+    let quality = quality(&straight, &mesh, straight_share);
+    let share = quality.volume_m3 / surface.volume_m3();
+    if how.wall_m.is_none() && share < LOST && !notes.contains(&Note::Overlaps) {
+        notes.push(Note::Lost { share });
+    }
+    if progress.advance(STEPS, STEPS).is_break() {
+        return Err(MeshError::Cancelled);
+    }
+    Ok(Meshed {
+        mesh,
+        boundary,
+        surface: surface.clone(),
+        quality,
+        notes,
+    })
+}
+
+/// The body's elements, curved and straight.
+fn elements(
+    surface: &ClosedSurface,
+    how: &Meshing,
+    progress: &dyn Progress,
+    notes: &mut Vec<Note>,
+) -> Result<(Curved, Tets), MeshError> {
+    let features = Features::of(surface);
+    if let (Some(wall_m), Some(outer)) = (how.wall_m, resolution::outer(surface, how)) {
+        let (body, mut own) = (Body::new(surface, None), Vec::new());
+        match fitted(surface, &body, &features, &outer, progress, &mut own) {
+            Ok(fit) => {
+                if let Some(wall) = shell::wall(&body, &curve(&fit), &fit, wall_m) {
+                    notes.append(&mut own);
+                    if wall.thinner > 0 {
+                        notes.push(Note::Thinner {
+                            points: wall.thinner,
+                        });
+                    }
+                    notes.extend(finer(how, wall_m, wall.curved.mesh.nodes.len()));
+                    return Ok((wall.curved, wall.straight));
+                }
+            }
+            Err(MeshError::Cancelled) => return Err(MeshError::Cancelled),
+            // Cells in the wall may still do.
+            Err(_) => {}
+        }
+    }
+    let body = Body::new(surface, how.wall_m);
+    let fit = fitted(surface, &body, &features, how, progress, notes)?;
+    Ok((curve(&fit), fit.mesh))
+}
+
+/// That a wall has more nodes than were asked for, its wedges being no wider.
+fn finer(how: &Meshing, thin_m: f64, nodes: usize) -> Option<Note> {
+    match how.resolution {
+        Resolution::Nodes(asked) if nodes as f64 > MORE * asked as f64 => Some(Note::Finer {
+            thin_m,
+            nodes,
+            asked,
+        }),
+        _ => None,
+    }
+}
+
+/// That lengths are lengths.
+fn check(surface: &ClosedSurface, how: &Meshing) -> Result<(), MeshError> {
+    let (low, high) = surface.bounds_m();
+    let longest = (0..3).map(|a| high[a] - low[a]).fold(0.0, f64::max);
+    if let Some(wall_m) = how.wall_m {
+        length("the wall", wall_m, (1e-4 * longest, longest))?;
+    }
+    if let Resolution::CellM(cell_m) = how.resolution {
+        length("the cells' size", cell_m, (1e-3 * longest, longest))?;
+    }
+    Ok(())
+}
+
+fn quality(straight: &Tets, mesh: &Mesh, straight_share: f64) -> Quality {
+    let (mut least, mut most, mut worst) = (180.0f64, 0.0f64, f64::INFINITY);
+    for tet in &straight.tets {
+        let corners = tet.map(|i| straight.points[i as usize]);
+        let (low, high) = dihedrals_deg(corners);
+        least = least.min(low);
+        most = most.max(high);
+        worst = worst.min(volume_length(corners));
+    }
+    let volume_m3 = match &mesh.elements {
+        Elements::Tet10(tets) => tets
+            .iter()
+            .map(|tet| tet10_volume(&tet.map(|node| mesh.nodes[node as usize])))
+            .sum(),
+        _ => 0.0,
+    };
+    Quality {
+        min_dihedral_deg: least,
+        max_dihedral_deg: most,
+        min_volume_length: worst,
+        elements: straight.tets.len(),
+        nodes: mesh.nodes.len(),
+        volume_m3,
+        straight_share,
+    }
+}

@@ -1,0 +1,291 @@
+//! The list of instruments: the factory's, those in the user's folder, and ways to bring more.
+
+use super::choice::{paint, place, stepped};
+use super::menu::menu;
+use super::param::Param;
+use super::theme::{Theme, small};
+use crate::notices::{Cure, Notice, Notices, Subject};
+use crate::params::Controls;
+use crate::shelf::{Librarian, Library, OWN, Said};
+use crate::user_folder;
+use egui::{
+    Button, CursorIcon, FontId, Id, OpenUrl, Popup, Rect, Response, RichText, ScrollArea, Sense,
+    Ui, WidgetInfo, vec2,
+};
+use nice_plug::prelude::ParamSetter;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Nobody cancels a dialog within this time.
+const CANCEL: Duration = Duration::from_millis(300);
+/// Least width of the list.
+const LIST: f32 = 210.0;
+/// What the list's last lines do.
+const IMPORT: &str = "Takes a bank from anywhere into the song, and a copy into the folder";
+const SHOW: &str = "Opens the folder; banks that are put there come into this list";
+/// Folder of banks in the user's.
+const FOLDER: &str = "Banks";
+
+/// What the editor knows of instruments beyond the parameter.
+pub struct Instruments {
+    controls: Arc<Controls>,
+    library: Arc<Library>,
+    librarian: Option<Librarian>,
+}
+
+impl Instruments {
+    pub(super) fn new(controls: &Arc<Controls>) -> Self {
+        let folder = user_folder().map(|folder| folder.join(FOLDER));
+        Self {
+            controls: Arc::clone(controls),
+            library: Arc::new(Library::new(folder)),
+            librarian: None,
+        }
+    }
+
+    /// The user's folder of banks.
+    #[must_use]
+    pub fn library(&self) -> &Arc<Library> {
+        &self.library
+    }
+
+    /// Another folder of banks; nobody watches it yet.
+    pub fn set_library(&mut self, library: Library) {
+        self.librarian = None;
+        self.library = Arc::new(library);
+    }
+
+    /// Has the folder watched, and what is asked for loaded, until this is dropped; `news` is told when there
+    /// is something new to draw.
+    pub(super) fn watch(&mut self, news: impl Fn() + Send + 'static) {
+        let notices = Arc::clone(self.notices());
+        let say = move |said: &Said<'_>| notices.post(told(said));
+        let library = Arc::clone(&self.library);
+        let shelf = Arc::clone(self.controls.shelf());
+        self.librarian = Some(Librarian::hire(library, shelf, say, news));
+    }
+
+    pub(super) fn notices(&self) -> &Arc<Notices> {
+        self.controls.notices()
+    }
+
+    /// Plays a bank that has come.
+    pub(super) fn arrive(&self, param: &Param, setter: &ParamSetter<'_>) {
+        if self.library.arrived() {
+            self.notices().clear(Subject::File);
+            self.notices().clear(Subject::Bank);
+            // Even if it stood there before: that tells the host that the song has changed.
+            param.put(setter, param.place(OWN as f32));
+        }
+    }
+
+    /// What the user should know first.
+    pub(super) fn news(&self) -> Option<Notice> {
+        self.notices().first().or_else(|| {
+            let missing = self.controls.body.index() == OWN && self.controls.shelf().own().is_none();
+            missing.then(|| Notice {
+                subject: Subject::File,
+                text: "There is no instrument of your own yet: put banks into the folder, and choose one in \
+                       the list above. Wind chimes play meanwhile."
+                    .to_owned(),
+                cure: Some(Cure::Load(String::new())),
+            })
+        })
+    }
+
+    /// The song is content with what plays.
+    pub(super) fn stay(&self) {
+        self.controls.stay();
+    }
+
+    /// Shows the folder in the system's own window.
+    pub(super) fn show_folder(&self, ui: &Ui) {
+        if let Some(folder) = self.library.folder() {
+            // A folder that cannot be made is not shown either, which the system says.
+            let _ = std::fs::create_dir_all(folder);
+            ui.ctx().open_url(OpenUrl::new_tab(folder.display()));
+        }
+    }
+
+    /// Asks the system for a file, on a thread of its own; whatever comes is loaded.
+    fn import(&self) {
+        let dialog = rfd::AsyncFileDialog::new()
+            .set_title("A bank for Idiophone")
+            .add_filter("Idiophone banks", &["bank"]);
+        // Made here, because some systems want that on the window's thread.
+        let picked = dialog.pick_file();
+        let library = Arc::clone(&self.library);
+        let notices = Arc::clone(self.notices());
+        let asked = Instant::now();
+        // Without a thread to be had, there is still the folder.
+        let _ = thread::Builder::new()
+            .name("idiophone dialog".to_owned())
+            .spawn(move || match pollster::block_on(picked) {
+                Some(file) => library.ask(file.path().to_path_buf()),
+                None if asked.elapsed() < CANCEL => notices.post(Notice {
+                    subject: Subject::File,
+                    text: "This desktop has no file dialog for plug-ins (xdg-desktop-portal): put the bank \
+                           into the folder, and it is in the list."
+                        .to_owned(),
+                    cure: Some(Cure::Load(String::new())),
+                }),
+                None => {}
+            });
+    }
+
+    /// The box at `rect`: click to open the list, arrows and wheel to go through the factory's.
+    pub(super) fn show(
+        &self,
+        ui: &Ui,
+        rect: Rect,
+        param: &Param,
+        theme: &Theme,
+        font: FontId,
+        setter: &ParamSetter<'_>,
+    ) -> Response {
+        let steps = param.steps().unwrap_or(1);
+        let response = ui.interact(rect, Id::unique(("choice", param.spec.id)), Sense::click());
+        let own = self.controls.shelf().own();
+        let text = match &own {
+            Some(own) if self.controls.body.index() == OWN => own.title(),
+            _ => param.text(),
+        };
+        response.widget_info(|| WidgetInfo {
+            current_text_value: Some(text.clone()),
+            ..WidgetInfo::labeled(egui::Role::ComboBox, true, param.spec.name)
+        });
+        paint(ui, rect, &text, theme, font, &response);
+        menu(&response, param, None, setter);
+        let mut wanted = None;
+        let wide = rect.width().max(LIST);
+        Popup::menu(&response).width(wide).show(|ui| {
+            ui.set_min_width(wide);
+            ScrollArea::vertical().max_height(420.0).show(ui, |ui| {
+                let list = List {
+                    param,
+                    theme,
+                    wide: wide - 24.0,
+                };
+                wanted = list.show(ui, self);
+            });
+        });
+        let moved = stepped(ui, &response);
+        if moved != 0.0 {
+            param.put(setter, param.value() + moved / steps as f32);
+        }
+        match wanted {
+            Some(Wanted::Number(index)) => param.put(setter, place(index, steps)),
+            Some(Wanted::File(path)) => self.library.ask(path),
+            Some(Wanted::Import) => self.import(),
+            Some(Wanted::Folder) => self.show_folder(ui),
+            None => {}
+        }
+        response
+            .on_hover_cursor(CursorIcon::PointingHand)
+            .on_hover_text(param.spec.tooltip)
+    }
+}
+
+/// What a librarian says, for people.
+fn told(said: &Said<'_>) -> Notice {
+    let (text, cure) = match said {
+        Said::Refused(error) => (error.to_string(), None),
+        Said::Renewed(card) => {
+            let text = format!(
+                "\"{}\" has been built anew in your folder; the song has it as it was.",
+                card.title
+            );
+            (text, Some(Cure::Load(card.name.clone())))
+        }
+    };
+    Notice {
+        subject: Subject::File,
+        text,
+        cure,
+    }
+}
+
+/// What is chosen from the list.
+enum Wanted {
+    Number(usize),
+    File(PathBuf),
+    Import,
+    Folder,
+}
+
+/// The open list.
+struct List<'a> {
+    param: &'a Param,
+    theme: &'a Theme,
+    wide: f32,
+}
+
+impl List<'_> {
+    fn show(&self, ui: &mut Ui, of: &Instruments) -> Option<Wanted> {
+        let mut wanted = None;
+        let here = of.controls.body.index();
+        for index in 0..OWN {
+            let name = self.param.text_at(self.param.place(index as f32));
+            if self.line(ui, here == index, name, "") {
+                wanted = Some(Wanted::Number(index));
+            }
+        }
+        self.heading(ui, "Your own");
+        let own = of.controls.shelf().own();
+        if let Some(own) = &own
+            && self.line(
+                ui,
+                here == OWN,
+                format!("{} (in this song)", own.title()),
+                "",
+            )
+        {
+            wanted = Some(Wanted::Number(OWN));
+        }
+        for entry in &*of.library.entries() {
+            match &entry.card {
+                Ok(_) => {
+                    let file = entry.path.display().to_string();
+                    if self.line(ui, false, entry.title(), &file) {
+                        wanted = Some(Wanted::File(entry.path.clone()));
+                    }
+                }
+                Err(reason) => {
+                    let name = RichText::new(entry.title()).color(self.theme.alarm);
+                    ui.add_enabled(false, Button::new(name).frame(false))
+                        .on_disabled_hover_text(reason);
+                }
+            }
+        }
+        ui.separator();
+        if self.line(ui, false, "Import a bank…".to_owned(), IMPORT) {
+            wanted = Some(Wanted::Import);
+        }
+        if of.library.folder().is_some() && self.line(ui, false, "Show the folder".to_owned(), SHOW)
+        {
+            wanted = Some(Wanted::Folder);
+        }
+        wanted
+    }
+
+    fn heading(&self, ui: &mut Ui, text: &str) {
+        ui.separator();
+        ui.label(RichText::new(text).font(small()).color(self.theme.quiet));
+    }
+
+    /// A line to click, with more to say of it; whether it was.
+    fn line(&self, ui: &mut Ui, here: bool, text: String, more: &str) -> bool {
+        let line = Button::selectable(here, text).min_size(vec2(self.wide, 22.0));
+        let mut response = ui.add(line);
+        if !more.is_empty() {
+            response = response.on_hover_text(more);
+        }
+        let clicked = response.clicked();
+        if clicked {
+            ui.close();
+        }
+        clicked
+    }
+}
