@@ -10,7 +10,7 @@ mod sound;
 
 pub(crate) use body::halved;
 pub use build::{BuildError, build};
-pub use builder::{Builder, Finished};
+pub use builder::{Builder, Finished, coarse};
 pub use cache::{Built, CacheError, cached};
 pub use progress::{Progress, Silent};
 pub(crate) use sound::{ears_m, sounding};

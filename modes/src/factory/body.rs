@@ -3,8 +3,8 @@
 use super::BuildError;
 use super::bowls::{Bowls, imperfection};
 use crate::bar::{
-    BarFineness, BarTuneError, BarTuning, bar_modes, stretched, tune_bar, vibraphone_ratios,
-    vibraphone_stock,
+    BarFineness, BarStock, BarTuneError, BarTuning, TunedBar, bar_modes, retune_bar, stretched,
+    tune_bar, vibraphone_ratios, vibraphone_stock,
 };
 use crate::revolution::{Bell, LAYERS, SolvedWall};
 use crate::shape::{Bar, Tube};
@@ -16,6 +16,8 @@ use crate::{Recipe, ShapeRecipe, SolveError, SolvedBody, equal_temperament_hz};
 pub(super) struct Maker<'a> {
     recipe: &'a Recipe,
     shape: Shape<'a>,
+    /// Of bars, across half the width and through the thickness.
+    cells: [usize; 2],
 }
 
 /// What all keys share.
@@ -51,6 +53,9 @@ impl Bars {
 /// to a cent where one leaves four.
 const BAR_CELLS: [usize; 2] = [3, 2];
 
+/// The same of a draft.
+const DRAFT_CELLS: [usize; 2] = [2, 1];
+
 /// Pitch of key 69, in Hz, for which a vibraphone's stock is measured.
 const STOCK_A4_HZ: f64 = 440.0;
 
@@ -60,6 +65,22 @@ const RATIO_STEPS: usize = 6;
 impl<'a> Maker<'a> {
     /// What cannot be tuned is said here, before the minutes that the rest may take.
     pub(super) fn new(recipe: &'a Recipe) -> Result<Self, BuildError> {
+        let maker = Self::unchecked(recipe, BAR_CELLS)?;
+        if let Shape::Tube(bell) = &maker.shape {
+            for key in recipe.keys.iter() {
+                predicted_length_m(&bell.tube, &recipe.material, &maker.tuning(key))
+                    .map_err(|error| out_of_tune(recipe, key, error))?;
+            }
+        }
+        Ok(maker)
+    }
+
+    /// For drafts: each key says for itself whether it can be tuned.
+    pub(super) fn draft(recipe: &'a Recipe) -> Result<Self, BuildError> {
+        Self::unchecked(recipe, DRAFT_CELLS)
+    }
+
+    fn unchecked(recipe: &'a Recipe, cells: [usize; 2]) -> Result<Self, BuildError> {
         let shape = match recipe.shape {
             ShapeRecipe::Tube {
                 outer_radius_m,
@@ -93,14 +114,11 @@ impl<'a> Maker<'a> {
                 Shape::Bowls(Box::new(bowls))
             }
         };
-        let maker = Self { recipe, shape };
-        if let Shape::Tube(bell) = &maker.shape {
-            for key in recipe.keys.iter() {
-                predicted_length_m(&bell.tube, &recipe.material, &maker.tuning(key))
-                    .map_err(|error| out_of_tune(recipe, key, error))?;
-            }
-        }
-        Ok(maker)
+        Ok(Self {
+            recipe,
+            shape,
+            cells,
+        })
     }
 
     /// Mesh and element in words.
@@ -110,7 +128,7 @@ impl<'a> Maker<'a> {
             Shape::Bar(..) => format!(
                 "20-node hexahedra of a quarter, 2×2×2 points, {} across half the width, {} through, \
                  at most {longest_m} m along",
-                BAR_CELLS[0], BAR_CELLS[1]
+                self.cells[0], self.cells[1]
             ),
             _ => format!(
                 "8-node quadrilaterals of the meridian, 3×3 points, {LAYERS} through the wall, at most \
@@ -178,6 +196,25 @@ impl<'a> Maker<'a> {
         self.bar_modes(&bar, key, 1)
     }
 
+    /// As [`Self::solve`]; a bar beginning with what was its key's `last`. Also what the next begins with.
+    pub(super) fn resolve(
+        &self,
+        key: u8,
+        last: Option<&TunedBar>,
+    ) -> Result<(SolvedBody, Option<TunedBar>), BuildError> {
+        let Shape::Bar(bars) = &self.shape else {
+            return Ok((self.solve(key)?, None));
+        };
+        let (stock, tuning) = self.stock_of(key, bars.ratios(key), bars.times);
+        let (material, fineness) = (&self.recipe.material, self.bar_fineness(1));
+        let tuned = match last {
+            Some(last) => retune_bar(last, &stock, material, fineness, &tuning),
+            None => tune_bar(&stock, material, fineness, &tuning),
+        };
+        let tuned = tuned.map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))?;
+        Ok((self.bar_modes(&tuned.bar, key, 1)?, Some(tuned)))
+    }
+
     /// As [`halved`].
     fn halved(&self, key: u8) -> Result<[SolvedBody; 2], BuildError> {
         match &self.shape {
@@ -216,6 +253,18 @@ impl<'a> Maker<'a> {
         ratios: [f64; 2],
         [thicker, wider]: [f64; 2],
     ) -> Result<Bar, BarTuneError> {
+        let (stock, tuning) = self.stock_of(key, ratios, [thicker, wider]);
+        let material = &self.recipe.material;
+        Ok(tune_bar(&stock, material, self.bar_fineness(1), &tuning)?.bar)
+    }
+
+    /// What that bar is cut from, and what it is tuned to.
+    fn stock_of(
+        &self,
+        key: u8,
+        ratios: [f64; 2],
+        [thicker, wider]: [f64; 2],
+    ) -> (BarStock, BarTuning) {
         let tuning = BarTuning {
             pitch_hz: self.pitch_hz(key),
             ratios,
@@ -227,8 +276,7 @@ impl<'a> Maker<'a> {
         stock.width_m *= wider;
         // A thicker bar of the same drawing is as much longer as the root: bending goes with t/l².
         stock.length_m *= thicker.sqrt();
-        let material = &self.recipe.material;
-        Ok(tune_bar(&stock, material, self.bar_fineness(1), &tuning)?.bar)
+        (stock, tuning)
     }
 
     /// `error` with ratios that can be had, if it was those asked for that could not.
@@ -295,8 +343,8 @@ impl<'a> Maker<'a> {
     fn bar_fineness(&self, finer: usize) -> BarFineness {
         BarFineness {
             max_element_m: self.recipe.mesh.max_element_m / finer as f64,
-            across: finer * BAR_CELLS[0],
-            through: finer * BAR_CELLS[1],
+            across: finer * self.cells[0],
+            through: finer * self.cells[1],
         }
     }
 

@@ -32,6 +32,14 @@ impl Default for Variation {
     }
 }
 
+impl ShapeRecipe {
+    /// Whether [`Variation::profile`] changes it: a tube is straight.
+    #[must_use]
+    pub fn has_profile(&self) -> bool {
+        !matches!(self, Self::Tube { .. })
+    }
+}
+
 impl Recipe {
     /// The recipe with `variation` in its text, without its comments; the recipe itself if nothing
     /// varies.
@@ -40,13 +48,17 @@ impl Recipe {
     ///
     /// If a dimension leaves its range.
     pub fn varied(&self, variation: &Variation) -> Result<Self, RecipeError> {
-        if *variation == Variation::default() {
+        let mut variation = *variation;
+        if !self.shape.has_profile() {
+            variation.profile = 0.0;
+        }
+        if variation == Variation::default() {
             return Ok(self.clone());
         }
         // The text was read before.
         let mut table: Table = self.text.parse().unwrap_or_default();
         if let Some(body) = section(&mut table, "body") {
-            for (field, value) in self.dimensions(variation) {
+            for (field, value) in self.dimensions(&variation) {
                 body.insert(field.to_owned(), Value::Float(value));
             }
         }
@@ -126,4 +138,84 @@ impl Recipe {
 
 fn section<'a>(table: &'a mut Table, name: &str) -> Option<&'a mut Table> {
     table.get_mut(name)?.as_table_mut()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn factory(name: &str) -> Recipe {
+        let (name, text) = Recipe::FACTORY.iter().find(|(n, _)| *n == name).unwrap();
+        Recipe::parse(text, name).unwrap()
+    }
+
+    #[test]
+    fn nothing_varied_is_the_recipe_itself() {
+        for (name, _) in Recipe::FACTORY {
+            let recipe = factory(name);
+            assert_eq!(recipe.varied(&Variation::default()).unwrap(), recipe);
+        }
+        let chimes = factory("chimes");
+        let bent = Variation {
+            profile: 0.5,
+            ..Variation::default()
+        };
+        assert_eq!(chimes.varied(&bent).unwrap(), chimes, "a tube has none");
+        let bars = factory("vibraphone");
+        assert_ne!(bars.varied(&bent).unwrap(), bars);
+    }
+
+    #[test]
+    fn only_what_is_varied_differs_and_the_text_says_it_all() {
+        let chimes = factory("chimes");
+        let variation = Variation {
+            wall: 1.5,
+            width: 0.8,
+            profile: 0.0,
+            poisson: Some(0.25),
+        };
+        let varied = chimes.varied(&variation).unwrap();
+        let (ShapeRecipe::Tube { wall_m: a, .. }, ShapeRecipe::Tube { wall_m: b, .. }) =
+            (chimes.shape, varied.shape)
+        else {
+            panic!("chimes are tubes");
+        };
+        assert_eq!(b, 1.5 * a);
+        assert!((varied.material.poisson() - 0.25).abs() < 1e-12);
+        let young = varied.material.young_pa() / chimes.material.young_pa();
+        assert!((young - 1.0).abs() < 1e-12, "{young}");
+        assert_eq!(
+            (varied.damping, varied.losses),
+            (chimes.damping, chimes.losses)
+        );
+        assert_eq!(varied.mesh, chimes.mesh);
+        assert_eq!(Recipe::parse(&varied.text, "chimes").unwrap(), varied);
+    }
+
+    #[test]
+    fn each_knob_alone_goes_to_its_ends() {
+        let own = Variation::default();
+        for (name, _) in Recipe::FACTORY {
+            for wall in [0.5, 2.0] {
+                let varied = factory(name).varied(&Variation { wall, ..own });
+                assert!(varied.is_ok(), "{name} {wall}: {varied:?}");
+            }
+            for profile in [-1.0, 1.0] {
+                let varied = factory(name).varied(&Variation { profile, ..own });
+                assert!(varied.is_ok(), "{name} {profile}: {varied:?}");
+            }
+            let varied = factory(name).varied(&Variation { width: 2.0, ..own });
+            assert!(varied.is_ok(), "{name}: {varied:?}");
+        }
+    }
+
+    #[test]
+    fn a_wall_that_runs_into_itself_is_refused_with_a_cure() {
+        let narrow = Variation {
+            width: 0.5,
+            ..Variation::default()
+        };
+        let error = factory("oak-bowls").varied(&narrow).unwrap_err();
+        assert!(error.to_string().contains("would do"), "{error}");
+    }
 }

@@ -169,6 +169,7 @@ impl Ui {
         let body_hint = self.middle(ui, &places, index, &theme, setter);
         self.session.listen(now_s, true);
         let hint = row_hint.or(body_hint);
+        self.pages.follow(index, &self.shown.bank);
         self.pages.show(
             ui,
             places.pages.shrink(NEAR),
