@@ -72,7 +72,7 @@ fn with_helpers(work: impl FnOnce() + Send) {
         .num_threads((cores / 2).max(1))
         .thread_name(|_| "idiophone solver".to_owned());
     // Without threads to be had there is no work either: drawings stay as they are.
-    let _ = pool.build_scoped(|thread| thread.run(), |pool| pool.install(work));
+    let _ = pool.build_scoped(rayon::ThreadBuilder::run, |pool| pool.install(work));
 }
 
 impl Deref for Maker {

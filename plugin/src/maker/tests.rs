@@ -6,7 +6,13 @@ use crate::factory;
 use crate::stage::Stage;
 use crate::workshop::Bench;
 use modes::Recipe;
+use nice_assert_no_alloc::assert_no_alloc;
 use std::time::Instant;
+
+/// With the feature, the plug-in brings this allocator along.
+#[cfg(not(feature = "assert_process_allocs"))]
+#[global_allocator]
+static ALLOCATOR: nice_assert_no_alloc::AllocDisabler = nice_assert_no_alloc::AllocDisabler;
 
 const RATE_HZ: f64 = 48_000.0;
 const BLOCK: usize = 512;
@@ -19,6 +25,8 @@ struct Bed {
     stage: Stage,
     bench: Bench,
     maker: Maker,
+    /// The longest that a block has taken, in s.
+    longest_s: f64,
 }
 
 impl Bed {
@@ -36,13 +44,18 @@ impl Bed {
             stage,
             bench: Bench::new(Arc::clone(&shelf), RATE_HZ),
             maker: Maker::open(shelf, solved, number, RATE_HZ),
+            longest_s: 0.0,
         }
     }
 
     fn block(&mut self, drawing: &Drawing) -> Vec<f32> {
-        self.stage.reshape(drawing, &self.maker, &self.bench);
         let (mut left, mut right) = (vec![0.0; BLOCK], vec![0.0; BLOCK]);
-        self.stage.process(&mut left, &mut right);
+        let start = Instant::now();
+        assert_no_alloc(|| {
+            self.stage.reshape(drawing, &self.maker, &self.bench);
+            self.stage.process(&mut left, &mut right);
+        });
+        self.longest_s = self.longest_s.max(start.elapsed().as_secs_f64());
         self.bench.work();
         left
     }
@@ -56,7 +69,7 @@ fn wall(wall: f32) -> Drawing {
 }
 
 /// Turns the wall for some seconds in real time; the sound, and how many drawings took over.
-fn turned(number: usize, seconds: f64) -> (Vec<f32>, usize) {
+fn turned(number: usize, seconds: f64) -> (Vec<f32>, usize, f64) {
     let mut bed = Bed::new(number);
     let (mut sound, mut count) = (Vec::new(), 0);
     let start = Instant::now();
@@ -73,7 +86,11 @@ fn turned(number: usize, seconds: f64) -> (Vec<f32>, usize) {
         sound.extend(bed.block(&wall(0.5 + 1.5 * share as f32)));
         count += usize::from(before != bed.stage.drawn());
     }
-    (sound, count)
+    (sound, count, bed.longest_s)
+}
+
+fn level(sound: &[f32]) -> f32 {
+    sound.iter().fold(0.0, |most, x| most.max(x.abs()))
 }
 
 /// Greatest second difference in each tenth of a second: what a click adds to a sound that is smooth.
@@ -90,17 +107,24 @@ fn jerks(sound: &[f32]) -> Vec<f32> {
 #[test]
 fn a_turning_knob_makes_no_click_and_is_followed() {
     for number in [0, 1] {
-        let (turned, count) = turned(number, SECONDS);
+        let (turned, count, longest_s) = turned(number, SECONDS);
         let mut twin = Bed::new(number);
         let blocks = turned.len() / BLOCK;
         let still: Vec<f32> = (0..blocks)
             .flat_map(|_| twin.block(&Drawing::OWN))
             .collect();
-        let (turned, still) = (jerks(&turned), jerks(&still));
+        let (sound, twin) = (turned, still);
+        let (turned, still) = (jerks(&sound), jerks(&twin));
         let ratios = turned.iter().zip(&still).skip(1).map(|(a, b)| a / b);
         let worst = ratios.fold(0.0, f32::max);
-        eprintln!("{number}: {count} drawings in {SECONDS} s, {worst} times the jerk");
-        assert!(count as f64 >= SECONDS, "{number}: {count}");
+        let low = level(&sound[sound.len() - 48_000..]) / level(&twin[sound.len() - 48_000..]);
+        println!(
+            "{number}: {count} drawings in {SECONDS} s, {worst} times the jerk, a block in {longest_s} s at most, \
+             at the end {low} times as loud"
+        );
+        // Whatever else the machine does; alone it draws eight a second.
+        assert!(count as f64 >= 2.0 * SECONDS, "{number}: {count}");
+        assert!(low > 0.1, "{number}: what rang goes on: {low}");
         assert!(worst < 4.0, "{number}: {worst}");
     }
 }
