@@ -11,7 +11,7 @@ mod tune;
 mod tuning;
 
 pub use body::{BarPartials, bar_modes, bar_partials};
-pub use ratios::{vibraphone_ratios, vibraphone_stock};
+pub use ratios::{stretched, vibraphone_ratios, vibraphone_stock};
 pub use tune::{TunedBar, retune_bar, tune_bar};
 pub use tuning::{BarStock, BarTuneError, BarTuning};
 

@@ -3,6 +3,7 @@
 mod body;
 mod bowls;
 mod build;
+mod builder;
 mod cache;
 mod closed;
 mod progress;
@@ -10,6 +11,7 @@ mod sound;
 
 pub(crate) use body::halved;
 pub use build::{BuildError, build};
+pub use builder::{Builder, Finished, coarse};
 pub use cache::{Built, CacheError, cached};
 pub use progress::{Progress, Silent};
 pub(crate) use sound::{ears_m, sounding};

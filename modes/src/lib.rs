@@ -65,7 +65,7 @@ pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 pub use recipe::{
     FreeFineness, FreeRecipe, FreeTuning, ImperfectionRecipe, ImperfectionSize, KeyRange,
     ListenerRecipe, LossRecipe, MeshRecipe, MeshShape, Recipe, RecipeError, RecipeFileError,
-    ResonatorRecipe, ShapeRecipe, TunedMode, TuningRecipe,
+    ResonatorRecipe, ShapeRecipe, TunedMode, TuningRecipe, Variation,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;

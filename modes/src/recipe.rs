@@ -9,9 +9,11 @@ mod free_tests;
 mod material;
 mod raw;
 mod together;
+mod vary;
 
 pub use error::{RecipeError, RecipeFileError};
 pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
+pub use vary::Variation;
 
 use crate::shape::{Bowl, ClosedShape};
 use crate::{Damping, Material};
@@ -93,6 +95,12 @@ pub enum ShapeRecipe {
         /// The second and the third bending mode as multiples of the first; a vibraphone's own
         /// without.
         ratios: Option<[f64; 2]>,
+        /// Thickness of the stock over a vibraphone's.
+        thickness: f64,
+        /// Width of the stock over a vibraphone's.
+        width: f64,
+        /// How far the undercut stretches the ratios, −1 (shallow) to 1 (deep).
+        undercut: f64,
     },
     /// A bowl: its proportions, scaled to each pitch.
     Bowl(Bowl),

@@ -9,6 +9,7 @@ pub mod engine;
 pub mod factory;
 mod guard;
 pub mod hands;
+pub mod maker;
 mod notes;
 pub mod notices;
 pub mod params;
@@ -25,6 +26,7 @@ mod workshop;
 
 pub use user_folder::user_folder;
 
+use maker::Maker;
 #[cfg(feature = "gui")]
 use nice_plug::prelude::AsyncExecutor;
 use nice_plug::prelude::{
@@ -47,6 +49,7 @@ pub struct Idiophone {
     controls: Arc<Controls>,
     player: Option<Player>,
     workshop: Option<Workshop>,
+    maker: Option<Maker>,
     #[cfg(feature = "gui")]
     desk: editor::Desk,
 }
@@ -101,7 +104,12 @@ impl Plugin for Idiophone {
         let shelf = self.controls.shelf();
         self.workshop = Some(Workshop::open(Arc::clone(shelf), rate_hz));
         let number = shelf.number(self.controls.body.index());
-        let mut stage = Stage::new(number, &shelf.bank(number), rate_hz);
+        let solved = Arc::clone(self.controls.solved());
+        self.maker = Some(Maker::open(Arc::clone(shelf), solved, number, rate_hz));
+        let mut stage = match self.controls.shaped(number) {
+            Some(own) => Stage::new(number, own.bank(), rate_hz),
+            None => Stage::new(number, &shelf.bank(number), rate_hz),
+        };
         stage.trim(&self.controls.trims().get());
         let stage = match buffer.process_mode {
             ProcessMode::Offline => stage.patient(),
@@ -114,6 +122,7 @@ impl Plugin for Idiophone {
 
     fn deactivate(&mut self) {
         self.workshop = None;
+        self.maker = None;
     }
 
     fn reset(&mut self) {
@@ -138,6 +147,10 @@ impl Plugin for Idiophone {
         if let Some(workshop) = &self.workshop {
             let number = self.controls.shelf().number(self.controls.body.index());
             player.stage().turn(number, workshop);
+            if let Some(maker) = &self.maker {
+                let drawing = self.controls.shape.drawing();
+                player.stage().reshape(&drawing, maker, workshop);
+            }
         }
         #[cfg(feature = "gui")]
         let open = self.desk.is_open();

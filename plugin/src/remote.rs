@@ -16,6 +16,7 @@ pub(crate) fn pages(controls: &Controls, context: &mut impl RemoteControlsContex
         hands,
         assign,
         output,
+        shape,
         ..
     } = controls;
     context.add_section("Instrument", |section| {
@@ -69,6 +70,12 @@ pub(crate) fn pages(controls: &Controls, context: &mut impl RemoteControlsContex
             page.add_param(&body.density);
             page.add_param(&body.swing);
             page.add_param(&body.sympathy);
+        });
+        section.add_page("Shape", |page| {
+            page.add_param(&shape.wall);
+            page.add_param(&shape.breadth);
+            page.add_param(&shape.profile);
+            page.add_param(&shape.poisson);
         });
         section.add_page("Motor and listener", |page| {
             page.add_param(&motor.speed);

@@ -1,7 +1,10 @@
 //! The instrument that is struck, and those before it that still ring.
 
+mod handover;
+
 use crate::engine::{Engine, GRID, Hit, Hold, Limiter, Settings, Trims};
 use crate::workshop::Bench;
+use handover::Handover;
 use modes::Bank;
 
 /// Instruments before the present one that may ring at the same time.
@@ -32,6 +35,8 @@ pub(crate) struct Stage {
     /// What hands do to each body, of whatever instrument.
     holds: [Hold; 128],
     trims: Trims,
+    handover: Handover,
+    rate_hz: f64,
 }
 
 impl Stage {
@@ -48,6 +53,8 @@ impl Stage {
             limits: true,
             holds: [Hold::FREE; 128],
             trims: Trims::NONE,
+            handover: Handover::default(),
+            rate_hz,
         }
     }
 
@@ -77,7 +84,8 @@ impl Stage {
                 bench.ask(wanted);
             }
         }
-        if self.wanted == self.number {
+        // An instrument first becomes one again before another comes.
+        if self.wanted == self.number || self.handover.is_fading() {
             return;
         }
         let Some(slot) = self.ringing.iter().position(Option::is_none) else {
@@ -190,6 +198,7 @@ impl Stage {
     pub(crate) fn reset(&mut self) {
         self.holds = [Hold::FREE; 128];
         self.limiter.reset();
+        self.handover.reset();
         for act in self.acts() {
             act.engine.reset();
             act.struck = 0;
@@ -214,7 +223,20 @@ impl Stage {
 
     /// Renders as many samples as the shorter of the two slices holds.
     pub(crate) fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
+        let frames = left.len().min(right.len());
+        let (left, right) = (&mut left[..frames], &mut right[..frames]);
+        let until = self.until_handover().unwrap_or(frames).min(frames);
+        self.sound(&mut left[..until], &mut right[..until]);
+        if self.until_handover() == Some(0) {
+            self.hand_over(self.rate_hz);
+        }
+        self.sound(&mut left[until..], &mut right[until..]);
+    }
+
+    /// The same, with the instruments as they are.
+    fn sound(&mut self, left: &mut [f32], right: &mut [f32]) {
         self.present.engine.process(left, right);
+        self.handover.mix(left, right);
         let mut more = [[0.0; GRID]; 2];
         for act in self.ringing.iter_mut().flatten() {
             for (left, right) in left.chunks_mut(GRID).zip(right.chunks_mut(GRID)) {

@@ -47,6 +47,18 @@ pub fn vibraphone_ratios(key: u8) -> [f64; 2] {
     [mix(4.01, 3.5), mix(third, 6.5)]
 }
 
+/// Partials of a bar that is hollowed least, and of one hollowed most, over those asked for.
+const SHALLOW: [f64; 2] = [0.85, 0.75];
+const DEEP: [f64; 2] = [1.08, 1.12];
+
+/// What an undercut of −1 (shallow) to 1 (deep) makes of the second and third partial of 0, as multiples
+/// of the first.
+#[must_use]
+pub fn stretched(ratios: [f64; 2], undercut: f64) -> [f64; 2] {
+    let end = if undercut < 0.0 { SHALLOW } else { DEEP };
+    [0, 1].map(|i| ratios[i] * (1.0 + undercut.abs() * (end[i] - 1.0)))
+}
+
 /// The stock that the bar of MIDI `key` is cut from.
 ///
 /// Up to F5 half an inch thick and as long as makes F♯3 0.360 m; from there to F6 thinner by equal

@@ -3,7 +3,8 @@
 use super::BuildError;
 use super::bowls::{Bowls, imperfection};
 use crate::bar::{
-    BarFineness, BarTuneError, BarTuning, bar_modes, tune_bar, vibraphone_ratios, vibraphone_stock,
+    BarFineness, BarStock, BarTuneError, BarTuning, TunedBar, bar_modes, retune_bar, stretched,
+    tune_bar, vibraphone_ratios, vibraphone_stock,
 };
 use crate::revolution::{Bell, LAYERS, SolvedWall};
 use crate::shape::{Bar, Tube};
@@ -15,21 +16,45 @@ use crate::{Recipe, ShapeRecipe, SolveError, SolvedBody, equal_temperament_hz};
 pub(super) struct Maker<'a> {
     recipe: &'a Recipe,
     shape: Shape<'a>,
+    /// Of bars, across half the width and through the thickness.
+    cells: [usize; 2],
 }
 
 /// What all keys share.
 enum Shape<'a> {
     /// A tube, cut for each key.
     Tube(Bell),
-    /// A bar, hollowed for each key to these ratios or to a vibraphone's.
-    Bar(Option<[f64; 2]>),
+    /// A bar, hollowed for each key.
+    Bar(Bars),
     /// Bowls, solved once and scaled to each key.
     Bowls(Box<Bowls<'a>>),
+}
+
+/// What bars are hollowed to.
+#[derive(Clone, Copy)]
+struct Bars {
+    /// The partials asked for; a vibraphone's without.
+    ratios: Option<[f64; 2]>,
+    /// Thickness and width of the stock over a vibraphone's.
+    times: [f64; 2],
+    /// How far the undercut stretches the partials.
+    undercut: f64,
+}
+
+impl Bars {
+    /// The second and third partial of the bar of `key`, as multiples of the first.
+    fn ratios(&self, key: u8) -> [f64; 2] {
+        let own = self.ratios.unwrap_or_else(|| vibraphone_ratios(key));
+        stretched(own, self.undercut)
+    }
 }
 
 /// Cells across half a bar's width and through its thickness: with two, bending 3 of a bar is right
 /// to a cent where one leaves four.
 const BAR_CELLS: [usize; 2] = [3, 2];
+
+/// The same of a draft.
+const DRAFT_CELLS: [usize; 2] = [2, 1];
 
 /// Pitch of key 69, in Hz, for which a vibraphone's stock is measured.
 const STOCK_A4_HZ: f64 = 440.0;
@@ -40,6 +65,22 @@ const RATIO_STEPS: usize = 6;
 impl<'a> Maker<'a> {
     /// What cannot be tuned is said here, before the minutes that the rest may take.
     pub(super) fn new(recipe: &'a Recipe) -> Result<Self, BuildError> {
+        let maker = Self::unchecked(recipe, BAR_CELLS)?;
+        if let Shape::Tube(bell) = &maker.shape {
+            for key in recipe.keys.iter() {
+                predicted_length_m(&bell.tube, &recipe.material, &maker.tuning(key))
+                    .map_err(|error| out_of_tune(recipe, key, error))?;
+            }
+        }
+        Ok(maker)
+    }
+
+    /// For drafts: each key says for itself whether it can be tuned.
+    pub(super) fn draft(recipe: &'a Recipe) -> Result<Self, BuildError> {
+        Self::unchecked(recipe, DRAFT_CELLS)
+    }
+
+    fn unchecked(recipe: &'a Recipe, cells: [usize; 2]) -> Result<Self, BuildError> {
         let shape = match recipe.shape {
             ShapeRecipe::Tube {
                 outer_radius_m,
@@ -57,7 +98,16 @@ impl<'a> Maker<'a> {
                 hung_at,
                 felt_at,
             }),
-            ShapeRecipe::Bar { ratios } => Shape::Bar(ratios),
+            ShapeRecipe::Bar {
+                ratios,
+                thickness,
+                width,
+                undercut,
+            } => Shape::Bar(Bars {
+                ratios,
+                times: [thickness, width],
+                undercut,
+            }),
             ShapeRecipe::Bowl(bowl) => {
                 let bowls = Bowls::new(recipe, &bowl)
                     .map_err(|error| out_of_tune(recipe, recipe.keys.low, error))?;
@@ -65,24 +115,21 @@ impl<'a> Maker<'a> {
             }
             ShapeRecipe::Closed(_) => unreachable!("bodies of closed form are not meshed"),
         };
-        let maker = Self { recipe, shape };
-        if let Shape::Tube(bell) = &maker.shape {
-            for key in recipe.keys.iter() {
-                predicted_length_m(&bell.tube, &recipe.material, &maker.tuning(key))
-                    .map_err(|error| out_of_tune(recipe, key, error))?;
-            }
-        }
-        Ok(maker)
+        Ok(Self {
+            recipe,
+            shape,
+            cells,
+        })
     }
 
     /// Mesh and element in words.
     pub(super) fn mesh(&self) -> String {
         let longest_m = self.recipe.mesh.max_element_m;
         match self.shape {
-            Shape::Bar(_) => format!(
+            Shape::Bar(..) => format!(
                 "20-node hexahedra of a quarter, 2×2×2 points, {} across half the width, {} through, \
                  at most {longest_m} m along",
-                BAR_CELLS[0], BAR_CELLS[1]
+                self.cells[0], self.cells[1]
             ),
             _ => format!(
                 "8-node quadrilaterals of the meridian, 3×3 points, {LAYERS} through the wall, at most \
@@ -121,11 +168,52 @@ impl<'a> Maker<'a> {
                     .map_err(|error| self.out_of_tune(key, error))?;
                 Ok(solved.body(imperfection))
             }
-            Shape::Bar(ratios) => self.bar_modes(&self.tuned_bar(*ratios, key)?, key, 1),
+            Shape::Bar(bars) => self.bar_modes(&self.tuned_bar(bars, key)?, key, 1),
             Shape::Bowls(bowls) => bowls
                 .body(key)
                 .map_err(|error| self.out_of_tune(key, error)),
         }
+    }
+
+    /// As [`Self::solve`]; but of a bar whose partials are out of reach, one with the nearest within.
+    pub(super) fn solve_within(&self, key: u8) -> Result<SolvedBody, BuildError> {
+        let error = match self.solve(key) {
+            Err(error) => self.with_ratios(error),
+            solved => return solved,
+        };
+        let (
+            BuildError::Tune {
+                error: TuneError::Ratios { within, .. },
+                ..
+            },
+            Shape::Bar(bars),
+        ) = (&error, &self.shape)
+        else {
+            return Err(error);
+        };
+        let bar = self
+            .bar_of(key, *within, bars.times)
+            .map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))?;
+        self.bar_modes(&bar, key, 1)
+    }
+
+    /// As [`Self::solve`]; a bar beginning with what was its key's `last`. Also what the next begins with.
+    pub(super) fn resolve(
+        &self,
+        key: u8,
+        last: Option<&TunedBar>,
+    ) -> Result<(SolvedBody, Option<TunedBar>), BuildError> {
+        let Shape::Bar(bars) = &self.shape else {
+            return Ok((self.solve(key)?, None));
+        };
+        let (stock, tuning) = self.stock_of(key, bars.ratios(key), bars.times);
+        let (material, fineness) = (&self.recipe.material, self.bar_fineness(1));
+        let tuned = match last {
+            Some(last) => retune_bar(last, &stock, material, fineness, &tuning),
+            None => tune_bar(&stock, material, fineness, &tuning),
+        };
+        let tuned = tuned.map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))?;
+        Ok((self.bar_modes(&tuned.bar, key, 1)?, Some(tuned)))
     }
 
     /// As [`halved`].
@@ -136,8 +224,8 @@ impl<'a> Maker<'a> {
                 let at = |finer| Ok(self.tube_modes(&bell, key, finer)?.body(None));
                 Ok([at(1)?, at(2)?])
             }
-            Shape::Bar(ratios) => {
-                let bar = self.tuned_bar(*ratios, key)?;
+            Shape::Bar(bars) => {
+                let bar = self.tuned_bar(bars, key)?;
                 Ok([self.bar_modes(&bar, key, 1)?, self.bar_modes(&bar, key, 2)?])
             }
             Shape::Bowls(bowls) => {
@@ -154,21 +242,42 @@ impl<'a> Maker<'a> {
             .map_err(|error| self.out_of_tune(key, error))
     }
 
-    fn tuned_bar(&self, ratios: Option<[f64; 2]>, key: u8) -> Result<Bar, BuildError> {
-        self.bar_of(key, ratios.unwrap_or_else(|| vibraphone_ratios(key)))
+    fn tuned_bar(&self, bars: &Bars, key: u8) -> Result<Bar, BuildError> {
+        self.bar_of(key, bars.ratios(key), bars.times)
             .map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))
     }
 
-    fn bar_of(&self, key: u8, ratios: [f64; 2]) -> Result<Bar, BarTuneError> {
+    /// The bar of `key` with these ratios, of stock so many times as thick and as wide.
+    fn bar_of(
+        &self,
+        key: u8,
+        ratios: [f64; 2],
+        [thicker, wider]: [f64; 2],
+    ) -> Result<Bar, BarTuneError> {
+        let (stock, tuning) = self.stock_of(key, ratios, [thicker, wider]);
+        let material = &self.recipe.material;
+        Ok(tune_bar(&stock, material, self.bar_fineness(1), &tuning)?.bar)
+    }
+
+    /// What that bar is cut from, and what it is tuned to.
+    fn stock_of(
+        &self,
+        key: u8,
+        ratios: [f64; 2],
+        [thicker, wider]: [f64; 2],
+    ) -> (BarStock, BarTuning) {
         let tuning = BarTuning {
             pitch_hz: self.pitch_hz(key),
             ratios,
             tolerance_cents: self.recipe.tuning.tolerance_cents,
         };
         // At another pitch the same drawing at another size: all stock has its key's partials.
-        let stock = vibraphone_stock(key).scaled(STOCK_A4_HZ / self.recipe.tuning.a4_hz);
-        let material = &self.recipe.material;
-        Ok(tune_bar(&stock, material, self.bar_fineness(1), &tuning)?.bar)
+        let mut stock = vibraphone_stock(key).scaled(STOCK_A4_HZ / self.recipe.tuning.a4_hz);
+        stock.thickness_m *= thicker;
+        stock.width_m *= wider;
+        // A thicker bar of the same drawing is as much longer as the root: bending goes with t/l².
+        stock.length_m *= thicker.sqrt();
+        (stock, tuning)
     }
 
     /// `error` with ratios that can be had, if it was those asked for that could not.
@@ -179,15 +288,15 @@ impl<'a> Maker<'a> {
                 error: TuneError::Bar(_),
                 ..
             },
-            Shape::Bar(Some(asked)),
+            Shape::Bar(bars),
         ) = (&error, &self.shape)
         else {
             return error;
         };
-        let Some(within) = self.ratios_towards(*asked, *key) else {
+        let Some(within) = self.ratios_towards(bars, *key) else {
             return error;
         };
-        let (pitch_hz, asked) = (self.pitch_hz(*key), *asked);
+        let (pitch_hz, asked) = (self.pitch_hz(*key), bars.ratios(*key));
         self.out_of_tune(
             *key,
             TuneError::Ratios {
@@ -200,7 +309,8 @@ impl<'a> Maker<'a> {
 
     /// Of the ratios from a vibraphone's own to those `asked` for, the farthest that the bar of `key` was
     /// found to have.
-    fn ratios_towards(&self, asked: [f64; 2], key: u8) -> Option<[f64; 2]> {
+    fn ratios_towards(&self, bars: &Bars, key: u8) -> Option<[f64; 2]> {
+        let asked = bars.ratios(key);
         let own = vibraphone_ratios(key);
         let at = |share: f64| {
             [0, 1].map(|i| {
@@ -208,7 +318,7 @@ impl<'a> Maker<'a> {
                 (100.0 * ratio).round() / 100.0
             })
         };
-        let can_be_had = |share: f64| self.bar_of(key, at(share)).is_ok();
+        let can_be_had = |share: f64| self.bar_of(key, at(share), bars.times).is_ok();
         if !can_be_had(0.0) {
             return None;
         }
@@ -234,8 +344,8 @@ impl<'a> Maker<'a> {
     fn bar_fineness(&self, finer: usize) -> BarFineness {
         BarFineness {
             max_element_m: self.recipe.mesh.max_element_m / finer as f64,
-            across: finer * BAR_CELLS[0],
-            through: finer * BAR_CELLS[1],
+            across: finer * self.cells[0],
+            through: finer * self.cells[1],
         }
     }
 

@@ -1,10 +1,9 @@
 //! Every key of a recipe, tuned and solved.
 
-use super::body::Maker;
-use super::sound::{ears_m, sounding};
+use super::builder::{Builder, Finished};
 use super::{Progress, closed};
 use crate::tube::TuneError;
-use crate::{Bank, Body, CODE, Provenance, Recipe, ShapeRecipe, SolveError};
+use crate::{Bank, Recipe, ShapeRecipe, SolveError};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -47,13 +46,6 @@ pub enum BuildError {
     },
 }
 
-/// A finished body and how well it is solved.
-struct Finished {
-    body: Body,
-    residual: f64,
-    orthonormality: f64,
-}
-
 /// Builds the bank of `recipe`, keys in parallel on rayon's threads.
 ///
 /// The same recipe gives the same bits whatever the number of threads.
@@ -66,25 +58,26 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
     if let ShapeRecipe::Closed(shape) = &recipe.shape {
         return closed::bank(recipe, shape);
     }
-    let keys: Vec<u8> = recipe.keys.iter().collect();
-    let maker = Maker::new(recipe)?;
+    let builder = Builder::new(recipe)?;
+    let keys = recipe.keys.iter().len();
     let (done, cancelled) = (AtomicUsize::new(0), AtomicBool::new(false));
     // The lowest bodies take longest; begun first, they leave no thread waiting at the end.
-    let finished: Vec<Result<Finished, BuildError>> = keys
+    let finished: Vec<Result<Finished, BuildError>> = recipe
+        .keys
+        .iter()
+        .collect::<Vec<_>>()
         .par_iter()
-        .enumerate()
         .with_max_len(1)
-        .map(|(i, &key)| {
+        .map(|&key| {
             let stopped = || BuildError::Cancelled {
                 recipe: recipe.name.clone(),
             };
             if cancelled.load(Ordering::Relaxed) {
                 return Err(stopped());
             }
-            let place = (i as f64 + 0.5) / keys.len() as f64;
-            let finished = body(&maker, key, place)?;
+            let finished = builder.body(key)?;
             let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-            if progress.advance(count, keys.len()).is_break() {
+            if progress.advance(count, keys).is_break() {
                 cancelled.store(true, Ordering::Relaxed);
                 return Err(stopped());
             }
@@ -92,44 +85,8 @@ pub fn build(recipe: &Recipe, progress: &dyn Progress) -> Result<Bank, BuildErro
         })
         .collect();
     let finished = finished.into_iter().collect::<Result<Vec<_>, _>>();
-    let finished = finished.map_err(|error| maker.with_ratios(error))?;
-    let greatest = |of: fn(&Finished) -> f64| finished.iter().map(of).fold(0.0, f64::max);
-    Ok(Bank {
-        name: recipe.name.clone(),
-        title: recipe.title.clone(),
-        material: recipe.material,
-        damping: recipe.damping,
-        ears_m: ears_m(&recipe.listener),
-        provenance: Provenance {
-            recipe: recipe.text.clone(),
-            code: CODE.to_owned(),
-            mesh: maker.mesh(),
-            solver: "shift-invert block Lanczos for each symmetry, inertia counts".into(),
-            tolerance_cents: recipe.tuning.tolerance_cents,
-            max_residual: greatest(|f| f.residual),
-            max_orthonormality_error: greatest(|f| f.orthonormality),
-        },
-        bodies: finished.into_iter().map(|f| f.body).collect(),
-        spread: None,
-    })
-}
-
-fn body(maker: &Maker<'_>, key: u8, place: f64) -> Result<Finished, BuildError> {
-    let solved = maker.solve(key)?;
-    let recipe = maker.recipe();
-    let residuals = solved.modes.iter().map(|mode| mode.residual);
-    Ok(Finished {
-        residual: residuals.fold(0.0, f64::max),
-        orthonormality: solved.orthonormality,
-        body: sounding(
-            solved,
-            (key, maker.pitch_hz(key)),
-            place,
-            &recipe.listener,
-            &recipe.losses,
-            recipe.resonator,
-        ),
-    })
+    let finished = finished.map_err(|error| builder.told(error))?;
+    Ok(builder.bank(finished))
 }
 
 #[cfg(test)]

@@ -170,6 +170,9 @@ fn check_body(body: &RawBody) -> Result<ShapeRecipe, Fault> {
     let bar = [
         ("body.second_ratio", body.second_ratio),
         ("body.third_ratio", body.third_ratio),
+        ("body.thickness", body.thickness),
+        ("body.width", body.width),
+        ("body.undercut", body.undercut),
     ];
     if let Some(shape) = check_closed(body)? {
         let none = format!("left out: a {} has none", body.shape);
@@ -255,7 +258,12 @@ fn check_bar(body: &RawBody) -> Result<ShapeRecipe, Fault> {
             Some([second, within("body.third_ratio", third, 4.0..=16.0)?])
         }
     };
-    Ok(ShapeRecipe::Bar { ratios })
+    Ok(ShapeRecipe::Bar {
+        ratios,
+        thickness: within("body.thickness", body.thickness.unwrap_or(1.0), 0.25..=4.0)?,
+        width: within("body.width", body.width.unwrap_or(1.0), 0.25..=4.0)?,
+        undercut: within("body.undercut", body.undercut.unwrap_or(0.0), -1.0..=1.0)?,
+    })
 }
 
 fn check_resonator(raw: &RawResonator) -> Result<ResonatorRecipe, Fault> {

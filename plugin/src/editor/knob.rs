@@ -49,7 +49,7 @@ pub(super) fn knob(
     );
     response.widget_info(|| WidgetInfo {
         current_text_value: Some(param.text()),
-        ..WidgetInfo::slider(true, f64::from(param.value()), param.spec.name)
+        ..WidgetInfo::slider(ui.is_enabled(), f64::from(param.value()), param.spec.name)
     });
     turn(ui, &response, param, hands, setter);
     menu(&response, param, Some(&mut hands.typing), setter);

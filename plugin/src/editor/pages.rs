@@ -6,7 +6,10 @@ use super::knob::{CELL, knob};
 use super::param::Param;
 use super::tabs::{TABS, Tab, tabs};
 use super::theme::{NEAR, SIDE, Theme, small};
+use crate::maker::recipe_of;
+use crate::params::shape::idle;
 use egui::{Align, Align2, Layout, Rect, ScrollArea, Sense, Ui, UiBuilder, pos2, vec2};
+use modes::Bank;
 use nice_plug::prelude::ParamSetter;
 
 /// Pages and the groups that are on them; what is in no group listed here is on the last.
@@ -24,8 +27,11 @@ const PAGES: [(Tab, &[&str]); 6] = [
         &["Bow"],
     ),
     (
-        ("Body", "Size, material and surroundings of the bodies"),
-        &["Body", "Motor"],
+        (
+            "Body",
+            "Size, drawing, material and surroundings of the bodies",
+        ),
+        &["Body", "Shape", "Motor"],
     ),
     (
         ("Sound", "Where you listen, and how loud"),
@@ -38,6 +44,10 @@ const PAGES: [(Tab, &[&str]); 6] = [
 #[derive(Default)]
 pub(super) struct Pages {
     open: usize,
+    /// The instrument whose idle controls these are.
+    instrument: Option<usize>,
+    /// Controls that do nothing to it, by id, and why.
+    idle: Vec<(&'static str, &'static str)>,
 }
 
 /// The page that a parameter is on.
@@ -56,6 +66,14 @@ fn here(params: &[Param], page: usize) -> impl Iterator<Item = &Param> {
 }
 
 impl Pages {
+    /// Learns which controls do something to the instrument of that number.
+    pub(super) fn follow(&mut self, instrument: usize, bank: &Bank) {
+        if self.instrument != Some(instrument) {
+            self.instrument = Some(instrument);
+            self.idle = idle(recipe_of(bank).as_ref());
+        }
+    }
+
     /// Draws tabs and the open page at `area`.
     pub(super) fn show(
         &mut self,
@@ -81,6 +99,7 @@ impl Pages {
             let first = groups.next();
             groups.any(|group| Some(group) != first)
         };
+        let idle = &self.idle;
         let page = Rect::from_min_max(pos2(area.left(), area.top() + TABS + NEAR), area.max);
         let mut inner = ui.new_child(
             UiBuilder::new()
@@ -106,7 +125,17 @@ impl Pages {
                     ui.horizontal_wrapped(|ui| {
                         ui.spacing_mut().item_spacing = vec2(NEAR, SIDE);
                         for param in group {
-                            control(ui, param, theme, hands, setter);
+                            match idle.iter().find(|(id, _)| *id == param.spec.id) {
+                                Some((_, why)) => {
+                                    let still = |ui: &mut Ui| {
+                                        ui.disable();
+                                        knob(ui, param, theme, hands, setter)
+                                            .on_disabled_hover_text(*why);
+                                    };
+                                    ui.scope(still);
+                                }
+                                None => control(ui, param, theme, hands, setter),
+                            }
                         }
                     });
                 }

@@ -173,6 +173,7 @@ impl Ui {
         self.session.listen(now_s, true);
         self.session.trimmed(self.trimming.ended(), now_s);
         let hint = row_hint.or(body_hint);
+        self.pages.follow(index, &self.shown.bank);
         self.pages.show(
             ui,
             places.pages.shrink(NEAR),

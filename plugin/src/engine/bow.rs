@@ -142,6 +142,15 @@ impl Rub {
         )
     }
 
+    /// Goes on as `old` does, on another body; whether there is a bow.
+    pub(crate) fn carry(&mut self, old: &Self) -> bool {
+        self.touches = old.touches;
+        (self.force_n, self.speed_m_s) = (old.force_n, old.speed_m_s);
+        self.angle_rad = old.angle_rad;
+        self.grain = old.grain;
+        self.touches
+    }
+
     /// The hand takes the bow away.
     pub(crate) fn lift(&mut self) {
         self.touches = false;

@@ -50,6 +50,7 @@ fn targets(settings: &Settings) -> [f64; VALUES] {
 }
 
 /// Values that move slowly enough not to click.
+#[derive(Clone)]
 pub(super) struct Glides {
     all: [Glide; VALUES],
     /// Where they are now.

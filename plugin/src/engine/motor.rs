@@ -34,6 +34,7 @@ impl Discs {
 ///
 /// What sounds through a resonator goes with the open share of its mouth, the power that it takes
 /// with the square.
+#[derive(Clone)]
 pub(super) struct Motor {
     /// Angle of the shaft, in turns.
     turn: f64,

@@ -184,6 +184,18 @@ impl Source {
         self.weight[lane] = (unit * loudest(&all)) as f32;
     }
 
+    /// Whether mode `lane` sounds rather as mode `other_lane` of `other` does than as its opposite.
+    pub(crate) fn agrees(&self, lane: usize, other: &Self, other_lane: usize) -> bool {
+        let parts = [(0, 0), (0, 1), (1, 0), (1, 1)];
+        let both = |[own, theirs]: [&[[[f32; LANES]; 2]; 2]; 2]| {
+            let product = |(ear, part): (usize, usize)| {
+                f64::from(own[ear][part][lane]) * f64::from(theirs[ear][part][other_lane])
+            };
+            parts.map(product).iter().sum::<f64>()
+        };
+        both([&self.direct, &other.direct]) + both([&self.piped, &other.piped]) >= 0.0
+    }
+
     /// What of x and y of modes at `omega` in rad/s reaches the ears.
     #[inline(always)]
     pub(crate) fn gains(

@@ -9,12 +9,14 @@ use super::listener::Ears;
 use super::mallet::Mallets;
 use super::motor::Motor;
 use super::output::Output;
+use super::shape::Shape;
 use super::strike::Strike;
 use super::trims::{TrimField, TrimTable};
 use crate::engine::Settings;
 use crate::hands::{self, SLOTS};
+use crate::maker::{Solved, wanted_text};
 use crate::notices::{Notices, Subject};
-use crate::shelf::Shelf;
+use crate::shelf::{Own, Shelf};
 use crate::tuning::{KeyboardText, ScaleText, TuningTexts};
 use nice_plug::prelude::Params;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -25,6 +27,9 @@ pub struct Controls {
     /// Which bodies there are.
     #[nested(group = "Body")]
     pub body: Body,
+    /// How they are drawn.
+    #[nested(group = "Shape")]
+    pub shape: Shape,
     /// Where and how fast they are struck.
     #[nested(group = "Strike")]
     pub strike: Strike,
@@ -64,6 +69,7 @@ pub struct Controls {
     trims: Arc<TrimTable>,
     tuning: Arc<TuningTexts>,
     shelf: Arc<Shelf>,
+    solved: Arc<Solved>,
     notices: Arc<Notices>,
     /// The instrument that the song wants and this version does not have, as the song says it.
     wish: Mutex<Option<String>>,
@@ -80,9 +86,11 @@ impl Default for Controls {
             trimmed: TrimField(Arc::clone(&trims)),
             trims,
             shelf: Arc::default(),
+            solved: Arc::default(),
             notices: Arc::default(),
             wish: Mutex::default(),
             body: Body::default(),
+            shape: Shape::default(),
             strike: Strike::default(),
             mallet: Mallets::default(),
             bow: Bows::default(),
@@ -128,6 +136,18 @@ impl Controls {
     #[must_use]
     pub fn shelf(&self) -> &Arc<Shelf> {
         &self.shelf
+    }
+
+    /// The drawing that was last solved to the end.
+    #[must_use]
+    pub fn solved(&self) -> &Arc<Solved> {
+        &self.solved
+    }
+
+    /// That drawing's bank, if it is what the instrument of that number is to sound like now.
+    pub(crate) fn shaped(&self, number: usize) -> Option<Arc<Own>> {
+        let text = wanted_text(&self.shape.drawing(), &self.shelf.bank(number))?;
+        self.solved.of(&text)
     }
 
     /// What the user should know.

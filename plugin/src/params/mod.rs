@@ -14,6 +14,7 @@ mod mallets;
 pub mod motor;
 pub mod output;
 mod poly;
+pub mod shape;
 mod spec;
 mod state;
 pub mod strike;

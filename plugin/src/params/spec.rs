@@ -2,7 +2,7 @@
 
 use super::choice::Choice;
 use super::text::Text;
-use super::{assign, body, bow, damping, hands, listener, mallet, motor, output, strike};
+use super::{assign, body, bow, damping, hands, listener, mallet, motor, output, shape, strike};
 use std::ops::RangeInclusive;
 
 /// One parameter.
@@ -42,8 +42,9 @@ const fn group(name: &'static str, specs: &'static [Spec]) -> Group {
 }
 
 /// Every parameter, in the host's order.
-pub const GROUPS: [Group; 17] = [
+pub const GROUPS: [Group; 18] = [
     group("Body", &body::SPECS),
+    group("Shape", &shape::SPECS),
     group("Strike", &strike::SPECS),
     group("Mallet", &mallet::SPECS),
     group("Bow", &bow::SPECS),

@@ -18,6 +18,8 @@ use wish::Wish;
 const INSTRUMENT: &str = "instrument";
 /// Field of the user's own bank.
 const BANK: &str = "bank";
+/// Field of the bank that was solved for the knobs of the drawing.
+const SHAPED: &str = "shaped";
 /// Field of parameters that this version does not know.
 const LATER: &str = "later";
 /// Field by which [`crate::params::heal`] tells which version saved a song; songs have none.
@@ -87,8 +89,9 @@ impl Song {
     /// Parameters and fields of a later version.
     fn take_unknown(&self, fields: &BTreeMap<String, String>, saved_by: Option<&str>) {
         let known = self.params.serialize_fields();
-        let ours =
-            |key: &str| known.contains_key(key) || [INSTRUMENT, BANK, SAVED_BY].contains(&key);
+        let ours = |key: &str| {
+            known.contains_key(key) || [INSTRUMENT, BANK, SHAPED, SAVED_BY].contains(&key)
+        };
         let unknown: BTreeMap<String, String> = fields
             .iter()
             .filter(|(key, _)| !ours(key))
@@ -154,6 +157,10 @@ unsafe impl Params for Song {
         if let Some(bank) = self.controls.shelf().text() {
             fields.insert(BANK.to_owned(), bank);
         }
+        let number = self.controls.shelf().number(index);
+        if let Some(own) = self.controls.shaped(number) {
+            fields.insert(SHAPED.to_owned(), own.text().to_owned());
+        }
         fields
     }
 
@@ -162,6 +169,8 @@ unsafe impl Params for Song {
         let saved_by = fields.get(SAVED_BY).map(String::as_str);
         self.take_wish(fields, saved_by);
         self.take_bank(fields.get(BANK).map(String::as_str));
+        let shaped = fields.get(SHAPED).map(String::as_str);
+        self.controls.solved().restore(shaped);
         self.take_unknown(fields, saved_by);
     }
 }

@@ -4,7 +4,7 @@ use super::*;
 use crate::params::heal;
 use crate::shelf::{OWN, Own};
 use nice_plug::plugin::ParamValue;
-use nice_plug::prelude::PluginState;
+use nice_plug::prelude::{Param, PluginState};
 
 /// An instance's end of the host.
 struct Instance {
@@ -93,6 +93,51 @@ fn an_own_instrument_travels_and_is_saved_word_for_word() {
         second.controls.shelf().own().is_none(),
         "that song had none"
     );
+}
+
+#[test]
+fn a_drawing_travels_solved_and_only_while_it_is_wanted() {
+    let first = Instance::new();
+    first.controls.shelf().put(chimes_body("bell"));
+    first.choose(OWN);
+    let shape = &first.controls.shape;
+    let number = first.controls.shelf().number(OWN);
+    let turn = |controls: &Controls, share: f32| {
+        // SAFETY: the controls are alive.
+        #[expect(unsafe_code, reason = "the framework hands out raw pointers")]
+        unsafe {
+            controls
+                .shape
+                .wall
+                .as_ptr()
+                ._internal_set_normalized_value(share);
+        }
+    };
+    turn(&first.controls, 1.0);
+    assert!(
+        !first.save().fields.contains_key(SHAPED),
+        "nothing is solved"
+    );
+    let own = first.controls.shelf().own().unwrap();
+    let mut bank = own.bank().clone();
+    let recipe = crate::maker::recipe_of(&bank).unwrap();
+    bank.provenance.recipe = shape.drawing().apply(&recipe).unwrap().text;
+    first.controls.solved().put(Own::new(bank.clone()).unwrap());
+    let saved = first.save();
+    let second = Instance::new();
+    second.load(&saved);
+    let reached = second.controls.shelf().number(OWN);
+    assert!(
+        second.controls.shaped(reached).is_none(),
+        "its knob is not turned"
+    );
+    turn(&second.controls, 1.0);
+    assert_eq!(second.controls.shaped(reached).unwrap().bank(), &bank);
+    assert_eq!(second.save().fields[SHAPED], saved.fields[SHAPED]);
+    turn(&first.controls, 0.5);
+    assert!(first.controls.shaped(number).is_none());
+    second.load(&Instance::new().save());
+    assert!(!second.save().fields.contains_key(SHAPED));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! One object: its modes, and how they wake, change and fall asleep.
 
+mod heir;
 mod joined;
 mod pushed;
 mod trimmed;
@@ -14,6 +15,7 @@ use super::grips;
 use super::oscillators::{LANES, Pack, Step, Tone};
 use super::source::{Hearing, Reached, Source, reached};
 use super::sympathy::Strand;
+use heir::Names;
 use modes::StrikeGrid;
 use pushed::MALLETS;
 use std::ops::Range;
@@ -39,6 +41,7 @@ pub(crate) struct Body {
     tones: Vec<Tone>,
     trimmed: Trimmed,
     sources: Vec<Source>,
+    names: Names,
     /// Leading packs that are heard through a resonator.
     piped: usize,
     /// φ·n̂ in kg^(−1/2), point by point and mode by mode.
@@ -90,6 +93,7 @@ impl Body {
             trimmed: Trimmed::new(&modes),
             tones,
             sources,
+            names: Names::new(modes.iter().map(|mode| mode.label)),
             normal,
             grid: body.line.grid(),
             mallets: std::array::from_fn(|_| Contact::new(packs)),

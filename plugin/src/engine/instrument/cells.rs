@@ -25,7 +25,7 @@ impl Engine {
     }
 
     /// Works out what follows from parameters that have moved.
-    fn moved(&mut self) {
+    pub(super) fn moved(&mut self) {
         let listener = self.glides.listener();
         let (ways, width) = (listener.ways(&self.ears_m), listener.width);
         if (ways, width) != (self.ways, self.width) {

@@ -2,6 +2,7 @@
 
 mod cells;
 mod glance;
+mod heir;
 mod playing;
 
 pub use glance::{Held, Struck};

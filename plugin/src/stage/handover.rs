@@ -1,0 +1,119 @@
+//! The present instrument gives way to another drawing of itself, without a break.
+//!
+//! The new engine takes over the motion of the old; for a moment both sound, the one fading in and the other
+//! out, since the same motion sounds a little different from another shape.
+
+use super::{GRID, Stage};
+use crate::engine::Engine;
+use crate::maker::{Drawing, Order};
+use crate::workshop::{Bench, Ready};
+
+/// How long both sound, in s.
+const FADE_S: f64 = 0.01;
+
+/// A new drawing on its way in, and an old one on its way out.
+#[derive(Default)]
+pub(super) struct Handover {
+    next: Option<Ready>,
+    last: Option<Fading>,
+}
+
+/// What fades out.
+struct Fading {
+    engine: Box<Engine>,
+    /// Frames left, of all the fade has.
+    left: usize,
+    all: usize,
+}
+
+impl Handover {
+    /// Whether two drawings sound.
+    pub(super) fn is_fading(&self) -> bool {
+        self.last.as_ref().is_some_and(|last| last.left > 0)
+    }
+
+    /// Cuts the fade short.
+    pub(super) fn reset(&mut self) {
+        if let Some(last) = &mut self.last {
+            last.left = 0;
+        }
+    }
+
+    /// Hands over what has faded out, and what is no drawing of the instrument of that number.
+    fn clear(&mut self, number: usize, bench: &Bench) {
+        if let Some(last) = self.last.take_if(|last| last.left == 0)
+            && let Err(engine) = bench.discard(last.engine)
+        {
+            self.last = Some(Fading { engine, ..last });
+        }
+        if let Some((of, engine)) = self.next.take_if(|next| next.0 != number)
+            && let Err(engine) = bench.discard(engine)
+        {
+            self.next = Some((of, engine));
+        }
+    }
+
+    /// Fades from the old drawing to the new, which has rendered.
+    pub(super) fn mix(&mut self, left: &mut [f32], right: &mut [f32]) {
+        let Some(last) = self.last.as_mut().filter(|last| last.left > 0) else {
+            return;
+        };
+        let frames = last.left.min(left.len()).min(right.len());
+        let mut old = [[0.0; GRID]; 2];
+        let chunks = left[..frames].chunks_mut(GRID);
+        for (left, right) in chunks.zip(right[..frames].chunks_mut(GRID)) {
+            let [a, b] = &mut old;
+            last.engine
+                .process(&mut a[..left.len()], &mut b[..left.len()]);
+            for i in 0..left.len() {
+                let share = last.left as f32 / last.all as f32;
+                left[i] += share * (a[i] - left[i]);
+                right[i] += share * (b[i] - right[i]);
+                last.left -= 1;
+            }
+        }
+    }
+}
+
+impl Stage {
+    /// The drawing that sounds, to be told from others.
+    #[cfg(test)]
+    pub(crate) fn drawn(&self) -> *const Engine {
+        &raw const *self.present.engine
+    }
+
+    /// Wants the present instrument in a drawing, and takes what has come of that; does not allocate.
+    pub(crate) fn reshape(&mut self, drawing: &Drawing, order: &Order, bench: &Bench) {
+        order.want(self.number, drawing, self.present.engine.awake());
+        self.handover.clear(self.number, bench);
+        if self.handover.next.is_none() {
+            self.handover.next = order.fetch();
+        }
+    }
+
+    /// Frames to the point where a new drawing can take over; none if there is none, or a mallet is on a
+    /// body.
+    pub(super) fn until_handover(&self) -> Option<usize> {
+        let handover = &self.handover;
+        let ready = handover.last.is_none()
+            && matches!(&handover.next, Some((number, _)) if *number == self.number)
+            && !self.present.engine.is_struck();
+        ready.then(|| self.present.engine.until_grid())
+    }
+
+    /// Lets the new drawing take over, at a point of the grid.
+    pub(super) fn hand_over(&mut self, rate_hz: f64) {
+        let Some((_, mut engine)) = self.handover.next.take() else {
+            return;
+        };
+        engine.set_trims(&self.trims);
+        engine.inherit(&self.present.engine);
+        #[expect(clippy::cast_sign_loss, reason = "a rate is no less than nothing")]
+        let all = (FADE_S * rate_hz).round() as usize;
+        self.handover.last = Some(Fading {
+            engine: std::mem::replace(&mut self.present.engine, engine),
+            left: all,
+            all,
+        });
+    }
+}
