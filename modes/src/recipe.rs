@@ -6,11 +6,13 @@ mod free;
 #[cfg(test)]
 mod free_tests;
 mod material;
+mod order;
 mod raw;
 mod together;
 
 pub use error::{RecipeError, RecipeFileError};
 pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
+pub use order::MeshOrder;
 
 use crate::shape::Bowl;
 use crate::{Damping, Material};

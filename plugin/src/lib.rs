@@ -9,6 +9,8 @@ pub mod engine;
 pub mod factory;
 mod guard;
 pub mod hands;
+#[cfg(feature = "gui")]
+pub mod mesher;
 mod notes;
 pub mod notices;
 pub mod params;
