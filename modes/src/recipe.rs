@@ -7,12 +7,14 @@ mod free;
 #[cfg(test)]
 mod free_tests;
 mod material;
+mod order;
 mod raw;
 mod together;
 mod vary;
 
 pub use error::{RecipeError, RecipeFileError};
 pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
+pub use order::MeshOrder;
 pub use vary::Variation;
 
 use crate::shape::{Bowl, ClosedShape};

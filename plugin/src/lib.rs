@@ -10,6 +10,8 @@ pub mod factory;
 mod guard;
 pub mod hands;
 pub mod maker;
+#[cfg(feature = "gui")]
+pub mod mesher;
 mod notes;
 pub mod notices;
 pub mod params;

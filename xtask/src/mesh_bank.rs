@@ -4,8 +4,7 @@ use crate::progress;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use modes::freeform::{Made, make};
-use modes::{FreeRecipe, NAMED_MATERIALS};
-use std::fmt::Write as _;
+use modes::{FreeFineness, FreeRecipe, MeshOrder};
 use std::path::{Path, PathBuf};
 
 /// What to make of a mesh.
@@ -62,46 +61,22 @@ impl MeshOptions {
         let Some(mesh) = &self.mesh else {
             return Ok(None);
         };
-        let text = self.text(mesh)?;
-        Ok(Some(FreeRecipe::parse(&text, "--mesh", Path::new(""))?))
-    }
-
-    /// The same in words, for the bank to carry.
-    fn text(&self, mesh: &Path) -> Result<String> {
         let Some(file) = mesh.to_str() else {
             bail!("{}: name the file in Unicode", mesh.display());
         };
-        let stem = mesh.file_stem().unwrap_or_default().to_string_lossy();
-        let material = material(self.material.as_deref().unwrap_or(USUAL));
-        let mode = match self.tuned.parse::<i64>() {
-            Ok(number) => number.to_string(),
-            Err(_) => quoted(&self.tuned)?,
+        let order = MeshOrder {
+            file: file.to_owned(),
+            object: self.object.clone(),
+            material: self.material.clone().unwrap_or_else(|| USUAL.to_owned()),
+            size_m: self.size,
+            wall_m: self.wall,
+            keys: [self.keys[0], self.keys[1]],
+            by: self.by.clone(),
+            tuned: self.tuned.clone(),
+            nodes: self.nodes,
+            most_modes: FreeFineness::default().most_modes as u32,
         };
-        let [low, high] = [self.keys[0], self.keys[1]];
-        let mut text = format!(
-            "name = {}\ntitle = {}\n\n[keys]\nlow = {low}\nhigh = {high}\n\n[tuning]\nby = {}\n\
-             mode = {mode}\n\n[body]\nshape = \"mesh\"\nfile = {}\n",
-            quoted(&plain(&stem))?,
-            quoted(&stem)?,
-            quoted(&self.by)?,
-            quoted(file)?,
-        );
-        // Writing to a string cannot fail.
-        if let Some(object) = &self.object {
-            let _ = writeln!(text, "object = {}", quoted(object)?);
-        }
-        if let Some(size_m) = self.size {
-            let _ = writeln!(text, "size_m = {size_m:?}");
-        }
-        if let Some(wall_m) = self.wall {
-            let _ = writeln!(text, "wall_m = {wall_m:?}");
-        }
-        let (material, nodes) = (quoted(material)?, self.nodes);
-        let _ = write!(
-            text,
-            "\n[material]\nname = {material}\n\n[mesh]\nnodes = {nodes}\n"
-        );
-        Ok(text)
+        Ok(Some(order.recipe("--mesh")?))
     }
 
     /// Makes the bank and writes it; the file, and what was made.
@@ -125,41 +100,6 @@ pub(crate) fn recipe(name: &str) -> Result<Option<FreeRecipe>> {
         return Ok(None);
     }
     Ok(Some(FreeRecipe::load(path)?))
-}
-
-/// A text as TOML quotes it: as JSON does.
-fn quoted(text: &str) -> Result<String> {
-    Ok(serde_json::to_string(text)?)
-}
-
-/// A name fit for a bank.
-fn plain(stem: &str) -> String {
-    let letter = |c: char| {
-        let c = c.to_ascii_lowercase();
-        if c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_' {
-            c
-        } else {
-            '-'
-        }
-    };
-    let name: String = stem.chars().take(64).map(letter).collect();
-    if name.is_empty() { "mesh".into() } else { name }
-}
-
-/// The known material of that name, or the only one whose name has it in it.
-fn material(name: &str) -> &str {
-    let wanted = name.trim().to_lowercase();
-    let mut names = NAMED_MATERIALS.iter().map(|entry| entry.name);
-    if names.any(|known| known.to_lowercase() == wanted) {
-        return name;
-    }
-    let mut parts = NAMED_MATERIALS
-        .iter()
-        .filter(|entry| entry.name.to_lowercase().contains(&wanted));
-    match (parts.next(), parts.next()) {
-        (Some(only), None) => only.name,
-        _ => name,
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! How a body is drawn: by its kind, from its strike line, and by its size.
 
+use super::outline::{Outline, Outlines};
 use egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
+use std::sync::Arc;
 
 /// What kind of body it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,12 +13,18 @@ pub enum Kind {
     Tube,
     /// Stands, and is struck from the rim to the middle of its base.
     Bowl,
+    /// Of any shape, and struck anywhere.
+    Other,
 }
 
 impl Kind {
-    /// That of a bank's body: a bowl's line turns, a tube's runs upwards, a bar's along.
+    /// That of a bank's body: one that is drawn is of any shape; of others a bowl's line turns, a tube's
+    /// runs upwards, a bar's along.
     #[must_use]
     pub fn of(body: &modes::Body) -> Self {
+        if body.surface.is_some() {
+            return Self::Other;
+        }
         let (Some(first), Some(last)) = (body.line.points_m.first(), body.line.points_m.last())
         else {
             return Self::Bar;
@@ -39,6 +47,7 @@ impl Kind {
             Self::Bar => "bar",
             Self::Tube => "tube",
             Self::Bowl => "bowl",
+            Self::Other => "body",
         }
     }
 
@@ -48,12 +57,13 @@ impl Kind {
             Self::Bar => ["the middle", "an end"],
             Self::Tube => ["the upper end", "the lower end"],
             Self::Bowl => ["the rim", "the middle"],
+            Self::Other => ["one end", "the other end"],
         }
     }
 }
 
 /// A body as it is drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
     /// MIDI key.
     pub key: u8,
@@ -61,37 +71,62 @@ pub struct Figure {
     pub kind: Kind,
     /// Where it is; a bowl fills it as a circle.
     pub rect: Rect,
+    /// What it looks like within, if that is neither a circle nor all of it.
+    pub outline: Option<Arc<Outline>>,
 }
 
 impl Figure {
     /// Whether a point is on the body, or within `slack` points of it.
     pub(super) fn holds(&self, at: Pos2, slack: f32) -> bool {
-        match self.kind {
-            Kind::Bowl => (at - self.rect.center()).length() <= 0.5 * self.rect.width() + slack,
-            Kind::Bar | Kind::Tube => self.rect.expand(slack).contains(at),
+        match (self.kind, &self.outline) {
+            (Kind::Bowl, _) => {
+                (at - self.rect.center()).length() <= 0.5 * self.rect.width() + slack
+            }
+            (_, Some(outline)) => outline.holds(self.rect, at, slack),
+            _ => self.rect.expand(slack).contains(at),
+        }
+    }
+
+    /// Which place 0…1 on the body's line a point is, and where across if that counts.
+    #[must_use]
+    pub fn place(&self, at: Pos2) -> (f32, Option<f32>) {
+        match &self.outline {
+            Some(outline) => {
+                let [position, across] = outline.place(self.rect, at);
+                (position, Some(across))
+            }
+            None => (self.position(at), None),
         }
     }
 
     /// Which place 0…1 on the body's line a point is.
     #[must_use]
     pub fn position(&self, at: Pos2) -> f32 {
+        if let Some(outline) = &self.outline {
+            return outline.place(self.rect, at)[0];
+        }
         let share = match self.kind {
             Kind::Bowl => {
                 1.0 - (at - self.rect.center()).length() / (0.5 * self.rect.width()).max(1.0)
             }
-            Kind::Bar => (at.y - self.rect.center().y).abs() / (0.5 * self.rect.height()).max(1.0),
+            Kind::Bar | Kind::Other => {
+                (at.y - self.rect.center().y).abs() / (0.5 * self.rect.height()).max(1.0)
+            }
             Kind::Tube => (at.y - self.rect.top()) / self.rect.height().max(1.0),
         };
         share.clamp(0.0, 1.0)
     }
 
-    /// Where a place 0…1 on the line is; on a bowl and a bar, towards the player.
+    /// Where a place 0…1 along and across is; on a bowl and a bar, towards the player.
     #[must_use]
-    pub fn point(&self, position: f32) -> Pos2 {
+    pub fn point(&self, [position, across]: [f32; 2]) -> Pos2 {
+        if let Some(outline) = &self.outline {
+            return outline.point(self.rect, [position, across]);
+        }
         let centre = self.rect.center();
         match self.kind {
             Kind::Bowl => centre + vec2(0.0, 0.5 * self.rect.width() * (1.0 - position)),
-            Kind::Bar => centre + vec2(0.0, 0.5 * self.rect.height() * position),
+            Kind::Bar | Kind::Other => centre + vec2(0.0, 0.5 * self.rect.height() * position),
             Kind::Tube => pos2(centre.x, self.rect.top() + position * self.rect.height()),
         }
     }
@@ -115,14 +150,15 @@ pub(super) fn key_name(key: u8) -> String {
 /// long ones beside short ones
 /// as they are.
 #[must_use]
-pub fn lay_out(bank: &modes::Bank, area: Rect) -> Vec<Figure> {
+pub fn lay_out(bank: &modes::Bank, area: Rect, outlines: &mut Outlines) -> Vec<Figure> {
+    outlines.keep(&bank.bodies);
     let whites_to = |key: u8| (0..key).filter(|key| !is_black(*key)).count() as f32;
     let (Some(first), Some(last)) = (bank.bodies.first(), bank.bodies.last()) else {
         return Vec::new();
     };
-    // Bowls are wider than their columns.
+    // Bowls and bodies of any shape are wider than their columns.
     let margin = match Kind::of(first) {
-        Kind::Bowl => 0.15,
+        Kind::Bowl | Kind::Other => 0.15,
         Kind::Bar | Kind::Tube => 0.0,
     };
     let from = whites_to(first.key) - margin - if is_black(first.key) { 0.5 } else { 0.0 };
@@ -142,13 +178,15 @@ pub fn lay_out(bank: &modes::Bank, area: Rect) -> Vec<Figure> {
             let x = whites - from + if black { 0.0 } else { 0.5 };
             let share = (body.length_m / longest) as f32;
             let middle = area.top() + if black { 0.5 } else { 1.5 } * rank;
+            let outline = outlines.of(body);
             let (size, y) = match kind {
-                Kind::Bowl => {
+                Kind::Bowl | Kind::Other => {
                     // Every other one stands farther back, so that there is room for larger ones; small
                     // ones are drawn larger than they are, so that they can be hit.
                     let back = if whites % 2.0 == 0.0 { 1.0 } else { -1.0 };
                     let widest = (0.54 * rank).min(1.25 * column);
-                    let size = Vec2::splat(widest * share.powf(0.6).max(0.3));
+                    let sides = outline.as_ref().map_or(Vec2::splat(1.0), |own| own.size());
+                    let size = widest * share.powf(0.6).max(0.3) * sides;
                     (size, middle + 0.21 * rank * back)
                 }
                 Kind::Bar => {
@@ -166,6 +204,7 @@ pub fn lay_out(bank: &modes::Bank, area: Rect) -> Vec<Figure> {
                 key: body.key,
                 kind,
                 rect: Rect::from_center_size(pos2(area.left() + x * column, y), size),
+                outline,
             }
         })
         .collect()
@@ -224,7 +263,7 @@ mod tests {
     #[test]
     fn every_body_is_within_the_area_and_on_no_other() {
         for index in 0..factory::BANKS.len() {
-            let figures = lay_out(factory::bank(index), area());
+            let figures = lay_out(factory::bank(index), area(), &mut Outlines::default());
             for (number, figure) in figures.iter().enumerate() {
                 assert!(area().expand(1e-3).contains_rect(figure.rect), "{figure:?}");
                 for other in &figures[..number] {
@@ -242,10 +281,10 @@ mod tests {
     #[test]
     fn positions_and_points_agree() {
         for index in [0, 1] {
-            for figure in lay_out(factory::bank(index), area()) {
+            for figure in lay_out(factory::bank(index), area(), &mut Outlines::default()) {
                 for i in 0..=10 {
                     let position = i as f32 / 10.0;
-                    let point = figure.point(position);
+                    let point = figure.point([position, 0.0]);
                     assert!((figure.position(point) - position).abs() < 1e-4);
                     assert!(figure.holds(point, 0.1));
                 }

@@ -75,8 +75,17 @@ impl History {
         let joins = soon || played && self.played;
         let all_done = self.done == self.steps.len();
         let last = self.steps.last_mut().filter(|_| all_done);
-        match last.map(|step| step.changes.as_mut_slice()) {
-            Some([last]) if joins && last.id == change.id => last.to = change.to,
+        match last.map(|step| &mut step.changes) {
+            Some(changes) if played && self.played => {
+                // A click on a surface moves two parameters.
+                match changes.iter_mut().find(|last| last.id == change.id) {
+                    Some(last) => last.to = change.to,
+                    None => changes.push(change),
+                }
+            }
+            Some(changes) if joins && changes.len() == 1 && changes[0].id == change.id => {
+                changes[0].to = change.to;
+            }
             _ => self.push(Step {
                 name: name.to_owned(),
                 changes: vec![change],

@@ -3,6 +3,7 @@
 use super::choice::{paint, place, stepped};
 use super::menu::menu;
 use super::param::Param;
+use super::sheet::{News, Sheet, is_mesh};
 use super::theme::{Theme, small};
 use crate::notices::{Cure, Notice, Notices, Subject};
 use crate::params::Controls;
@@ -25,7 +26,8 @@ const LIST: f32 = 210.0;
 /// Room that the list leaves below itself in the window.
 const BELOW: f32 = 24.0;
 /// What the list's last lines do.
-const IMPORT: &str = "Takes a bank from anywhere into the song, and a copy into the folder";
+const IMPORT: &str =
+    "Takes a bank from anywhere into the song, and a copy into the folder; or makes one of a mesh";
 const SHOW: &str = "Opens the folder; banks that are put there come into this list";
 /// Folder of banks in the user's.
 const FOLDER: &str = "Banks";
@@ -35,6 +37,7 @@ pub struct Instruments {
     controls: Arc<Controls>,
     library: Arc<Library>,
     librarian: Option<Librarian>,
+    sheet: Sheet,
 }
 
 impl Instruments {
@@ -44,6 +47,7 @@ impl Instruments {
             controls: Arc::clone(controls),
             library: Arc::new(Library::new(folder)),
             librarian: None,
+            sheet: Sheet::default(),
         }
     }
 
@@ -61,12 +65,29 @@ impl Instruments {
 
     /// Has the folder watched, and what is asked for loaded, until this is dropped; `news` is told when there
     /// is something new to draw.
-    pub(super) fn watch(&mut self, news: impl Fn() + Send + 'static) {
+    pub(super) fn watch(&mut self, news: impl Fn() + Send + Sync + 'static) {
+        let news: News = Arc::new(news);
+        self.sheet.news = Arc::clone(&news);
         let notices = Arc::clone(self.notices());
         let say = move |said: &Said<'_>| notices.post(told(said));
         let library = Arc::clone(&self.library);
         let shelf = Arc::clone(self.controls.shelf());
-        self.librarian = Some(Librarian::hire(library, shelf, say, news));
+        self.librarian = Some(Librarian::hire(library, shelf, say, move || news()));
+    }
+
+    /// Takes a file: a bank is loaded, a mesh comes onto the sheet.
+    pub fn open(&self, path: PathBuf) {
+        if is_mesh(&path) {
+            self.sheet.chosen().put(path);
+        } else {
+            self.library.ask(path);
+        }
+    }
+
+    /// Draws the sheet of a mesh, if one is open.
+    pub(super) fn show_sheet(&mut self, ui: &Ui, theme: &Theme) {
+        let shelf = self.controls.shelf();
+        self.sheet.show(ui, &self.library, shelf, theme);
     }
 
     pub(super) fn notices(&self) -> &Arc<Notices> {
@@ -114,17 +135,22 @@ impl Instruments {
     /// Asks the system for a file, on a thread of its own; whatever comes is loaded.
     fn import(&self) {
         let dialog = rfd::AsyncFileDialog::new()
-            .set_title("A bank for Idiophone")
-            .add_filter("Idiophone banks", &["bank"]);
+            .set_title("A bank or a mesh for Idiophone")
+            .add_filter("Banks and meshes", &["bank", "obj"]);
         // Made here, because some systems want that on the window's thread.
         let picked = dialog.pick_file();
         let library = Arc::clone(&self.library);
         let notices = Arc::clone(self.notices());
+        let (chosen, news) = (self.sheet.chosen(), Arc::clone(&self.sheet.news));
         let asked = Instant::now();
         // Without a thread to be had, there is still the folder.
         let _ = thread::Builder::new()
             .name("idiophone dialog".to_owned())
             .spawn(move || match pollster::block_on(picked) {
+                Some(file) if is_mesh(file.path()) => {
+                    chosen.put(file.path().to_path_buf());
+                    news();
+                }
                 Some(file) => library.ask(file.path().to_path_buf()),
                 None if asked.elapsed() < CANCEL => notices.post(Notice {
                     subject: Subject::File,
@@ -184,7 +210,7 @@ impl Instruments {
         }
         match wanted {
             Some(Wanted::Number(index)) => param.put(setter, place(index, steps)),
-            Some(Wanted::File(path)) => self.library.ask(path),
+            Some(Wanted::File(path)) => self.open(path),
             Some(Wanted::Import) => self.import(),
             Some(Wanted::Folder) => self.show_folder(ui),
             None => {}
@@ -266,8 +292,15 @@ impl List<'_> {
                 }
             }
         }
+        for path in &*of.library.meshes() {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+            let file = path.display().to_string();
+            if self.line(ui, false, format!("{stem} (mesh)"), &file) {
+                wanted = Some(Wanted::File(path.clone()));
+            }
+        }
         ui.separator();
-        if self.line(ui, false, "Import a bank…".to_owned(), IMPORT) {
+        if self.line(ui, false, "Import a bank or a mesh…".to_owned(), IMPORT) {
             wanted = Some(Wanted::Import);
         }
         if of.library.folder().is_some() && self.line(ui, false, "Show the folder".to_owned(), SHOW)

@@ -12,11 +12,11 @@ pub(super) struct Look {
     pub(super) glow: f32,
     pub(super) hovered: bool,
     /// Where it was struck last, if it is the body struck last.
-    pub(super) mark: Option<f32>,
-    /// Where notes strike it.
-    pub(super) set: f32,
+    pub(super) mark: Option<[f32; 2]>,
+    /// Where notes strike it, along and across.
+    pub(super) set: [f32; 2],
     /// Where a click would strike it.
-    pub(super) pointed: Option<f32>,
+    pub(super) pointed: Option<[f32; 2]>,
 }
 
 /// Draws it.
@@ -44,6 +44,7 @@ pub(super) fn paint_body(
         Kind::Bowl => bowl(painter, figure, fill, edge),
         Kind::Bar => bar(painter, figure, fill, edge),
         Kind::Tube => tube(painter, figure, fill, edge, theme),
+        Kind::Other => other(painter, figure, fill, edge),
     }
     tick(
         painter,
@@ -60,15 +61,19 @@ pub(super) fn paint_body(
     }
 }
 
-/// A line across the body at a place on its line; on a bowl, a circle.
-fn tick(painter: &Painter, figure: &Figure, position: f32, stroke: Stroke) {
+/// A line across the body at a place on its line; on a bowl, a circle; on a body struck anywhere, a ring.
+fn tick(painter: &Painter, figure: &Figure, place: [f32; 2], stroke: Stroke) {
+    let [position, _] = place;
     match figure.kind {
+        Kind::Other => {
+            painter.circle_stroke(figure.point(place), 2.5, stroke);
+        }
         Kind::Bowl => {
             let radius = 0.5 * figure.rect.width() * (1.0 - position);
             painter.circle_stroke(figure.rect.center(), radius, stroke);
         }
         Kind::Bar | Kind::Tube => {
-            let y = figure.point(position).y;
+            let y = figure.point(place).y;
             painter.hline(figure.rect.x_range(), y, stroke);
         }
     }
@@ -82,6 +87,7 @@ fn halo(painter: &Painter, figure: &Figure, colour: Color32, glow: f32) {
     let radius = match figure.kind {
         Kind::Bowl => 0.5 * figure.rect.width(),
         Kind::Bar | Kind::Tube => 5.0,
+        Kind::Other => 0.4 * figure.rect.size().min_elem(),
     };
     #[expect(clippy::cast_sign_loss, reason = "a radius is not negative")]
     let corner = CornerRadius::same(radius.min(120.0) as u8);
@@ -92,6 +98,13 @@ fn halo(painter: &Painter, figure: &Figure, colour: Color32, glow: f32) {
         colour.gamma_multiply(0.55 * glow),
     );
     painter.add(shape.with_blur_width(blur));
+}
+
+fn other(painter: &Painter, figure: &Figure, fill: Color32, edge: Color32) {
+    if let Some(outline) = &figure.outline {
+        let corners = outline.corners(figure.rect);
+        painter.add(Shape::convex_polygon(corners, fill, Stroke::new(1.0, edge)));
+    }
 }
 
 fn bowl(painter: &Painter, figure: &Figure, fill: Color32, edge: Color32) {

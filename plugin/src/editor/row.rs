@@ -5,6 +5,7 @@ use super::frame::Frame;
 use super::hold::Hold;
 use super::keys::{Press, letter, presses};
 use super::link::{Link, Touch};
+use super::outline::Outlines;
 use super::paint_body::{Look, paint_body};
 use super::param::Param;
 use super::theme::{Theme, small};
@@ -31,6 +32,7 @@ pub(super) struct Row {
     at: Option<Pos2>,
     /// Energy in J that glows most.
     reference_j: f32,
+    outlines: Outlines,
 }
 
 impl Default for Row {
@@ -41,6 +43,7 @@ impl Default for Row {
             under: None,
             at: None,
             reference_j: 1e-3,
+            outlines: Outlines::default(),
         }
     }
 }
@@ -76,6 +79,7 @@ impl Row {
         let figures = lay_out(
             stage.bank,
             Rect::from_min_max(area.min, pos2(area.right(), area.bottom() - names)),
+            &mut self.outlines,
         );
         self.press(ui, stage, &figures);
         let hovered = self.point(ui, area, stage, &figures, hold);
@@ -89,23 +93,22 @@ impl Row {
         hovered.map(|(figure, position)| describe(stage.bank, figure, position))
     }
 
-    fn strike(&self, stage: &Stage<'_, '_>, figure: &Figure, position: f32, share: f32) {
+    fn strike(&self, stage: &Stage<'_, '_>, figure: &Figure, place: [f32; 2], share: f32) {
+        let [position, across] = place;
         stage.link.touch(Touch::Strike {
             key: figure.key,
             velocity: (share * self.velocity / 127.0).clamp(1.0 / 127.0, 1.0),
             position,
-            across: Self::set_across(stage),
+            across,
         });
     }
 
-    /// Where strikes of keys land.
-    fn set_position(stage: &Stage<'_, '_>) -> f32 {
-        stage.position.map_or(0.03, |param| param.plain() / 100.0)
-    }
-
-    /// Where across the bodies strikes land.
-    fn set_across(stage: &Stage<'_, '_>) -> f32 {
-        stage.across.map_or(0.0, |param| param.plain() / 100.0)
+    /// Where strikes of keys land, along and across.
+    fn set_place(stage: &Stage<'_, '_>) -> [f32; 2] {
+        [
+            stage.position.map_or(0.03, |param| param.plain() / 100.0),
+            stage.across.map_or(0.0, |param| param.plain() / 100.0),
+        ]
     }
 
     /// Plays the computer's keys.
@@ -114,7 +117,7 @@ impl Row {
             match press {
                 Press::Down(key) => {
                     if let Some(figure) = figures.iter().find(|figure| figure.key == key) {
-                        self.strike(stage, figure, Self::set_position(stage), 1.0);
+                        self.strike(stage, figure, Self::set_place(stage), 1.0);
                     }
                 }
                 Press::Up(key) => stage.link.touch(Touch::Release { key }),
@@ -143,7 +146,7 @@ impl Row {
             let body = ui.interact(figure.rect, id, Sense::CLICK);
             body.widget_info(|| WidgetInfo::labeled(Role::Button, true, key_name(figure.key)));
             if body.clicked() && !ui.input(|input| input.pointer.any_released()) {
-                self.strike(stage, figure, Self::set_position(stage), 1.0);
+                self.strike(stage, figure, Self::set_place(stage), 1.0);
             }
         }
         let response = ui
@@ -200,12 +203,16 @@ impl Row {
             };
             self.leave(stage);
             self.under = Some(figure.key);
-            let position = figure.position(at);
+            let (position, across) = figure.place(at);
+            let place = [position, across.unwrap_or(Self::set_place(stage)[1])];
             if let Some(param) = stage.position {
                 hold.take(param, stage.setter);
-                hold.put(param.place(100.0 * position), stage.setter);
+                hold.put(param.place(100.0 * place[0]), stage.setter);
             }
-            self.strike(stage, figure, position, share);
+            if let (Some(param), Some(across)) = (stage.across, across) {
+                hold.put_beside(param, param.place(100.0 * across), stage.setter);
+            }
+            self.strike(stage, figure, place, share);
         }
     }
 
@@ -228,7 +235,7 @@ impl Row {
             .iter()
             .fold(self.reference_j, |most, e| most.max(*e));
         let pointer = ui.input(|input| input.pointer.hover_pos());
-        let position = Self::set_position(stage);
+        let set = Self::set_place(stage);
         for figure in figures {
             let energy_j = energies[usize::from(figure.key)];
             let level_db = 10.0 * (energy_j / self.reference_j).max(1e-12).log10();
@@ -236,11 +243,12 @@ impl Row {
             let look = Look {
                 glow: (1.0 - level_db / DIM_DB).clamp(0.0, 1.0),
                 hovered: hovered == Some(figure.key),
-                mark: struck.map(|struck| struck.position as f32),
-                set: position,
-                pointed: pointer
-                    .filter(|_| hovered == Some(figure.key))
-                    .map(|at| figure.position(at)),
+                mark: struck.map(|struck| [struck.position, struck.across].map(|x| x as f32)),
+                set,
+                pointed: pointer.filter(|_| hovered == Some(figure.key)).map(|at| {
+                    let (position, across) = figure.place(at);
+                    [position, across.unwrap_or_default()]
+                }),
             };
             paint_body(ui.painter(), figure, stage.bank, stage.theme, &look);
             let letter = figure.key.checked_sub(self.lowest).and_then(letter);

@@ -78,7 +78,7 @@ impl Shown {
         body.map_or_else(String::new, |body| {
             let long_m = match Kind::of(body) {
                 Kind::Bowl => 2.0 * body.line.points_m.first().map_or(0.0, |rim| rim[0]),
-                Kind::Bar | Kind::Tube => body.length_m,
+                Kind::Bar | Kind::Tube | Kind::Other => body.length_m,
             };
             let size = if long_m < 1.0 {
                 format!("{:.1} cm", 1e2 * long_m)
@@ -86,7 +86,7 @@ impl Shown {
                 format!("{long_m:.2} m")
             };
             let across = match Kind::of(body) {
-                Kind::Bowl => "across",
+                Kind::Bowl | Kind::Other => "across",
                 Kind::Bar | Kind::Tube => "long",
             };
             let mass = if body.mass_kg < 1.0 {

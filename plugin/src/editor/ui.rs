@@ -166,6 +166,7 @@ impl Ui {
         if let Some(param) = &instrument {
             self.instruments.arrive(param, setter);
         }
+        self.instruments.show_sheet(ui, &theme);
         let now_s = ui.input(|input| input.time);
         self.session.listen(now_s, false);
         let row_hint = self.play(ui, places.row, index, &theme, setter);
@@ -227,7 +228,7 @@ impl Ui {
         let inner = places.why.shrink2(vec2(APART, NEAR));
         let mut leaves = self.why.leaves(ui, inner, places.body.is_none(), theme);
         leaves.extend(places.body.map(|body| (Leaf::Body, body.shrink(APART))));
-        let position = self.param("pos");
+        let [position, across] = ["pos", "acrs"].map(|id| self.param(id));
         let frame = if self.frame.instrument == index {
             &*self.frame
         } else {
@@ -281,7 +282,7 @@ impl Ui {
                         theme,
                         velocity: self.row.velocity / 127.0,
                         position: position.as_ref(),
-                        across: settings.strike_across as f32,
+                        across: across.as_ref(),
                         setter,
                     };
                     let told = self.view.show(ui, area, &sight, &mut self.hands.hold);

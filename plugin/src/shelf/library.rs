@@ -12,6 +12,8 @@ use std::thread::Thread;
 const MOST_FILES: usize = 500;
 /// How a bank's file ends.
 const EXTENSION: &str = "bank";
+/// How a mesh's file ends.
+const MESH: &str = "obj";
 
 /// What lies in a folder, and the bank that is wanted from it or from elsewhere.
 ///
@@ -20,6 +22,7 @@ const EXTENSION: &str = "bank";
 pub struct Library {
     folder: Option<PathBuf>,
     entries: Mutex<Arc<[Entry]>>,
+    meshes: Mutex<Arc<[PathBuf]>>,
     wanted: Mutex<Option<PathBuf>>,
     /// Who does the work.
     worker: Mutex<Option<Thread>>,
@@ -36,6 +39,7 @@ impl Library {
         Self {
             folder,
             entries: Mutex::new(Arc::new([])),
+            meshes: Mutex::new(Arc::new([])),
             wanted: Mutex::default(),
             worker: Mutex::default(),
             taken: Mutex::default(),
@@ -53,6 +57,12 @@ impl Library {
     #[must_use]
     pub fn entries(&self) -> Arc<[Entry]> {
         lock(&self.entries).clone()
+    }
+
+    /// The files that end in `.obj`, by name, as they were when last looked at.
+    #[must_use]
+    pub fn meshes(&self) -> Arc<[PathBuf]> {
+        lock(&self.meshes).clone()
     }
 
     /// The file of the folder with the bank of that name.
@@ -84,10 +94,20 @@ impl Library {
         self.arrived.swap(false, Ordering::AcqRel)
     }
 
+    /// A bank that somebody made has been put on the shelf.
+    #[cfg(feature = "gui")]
+    pub(crate) fn arrive(&self) {
+        self.arrived.store(true, Ordering::Release);
+    }
+
     /// Looks at what has changed in the folder; whether anything has.
     pub fn refresh(&self) -> bool {
+        let meshes = self.paths(MESH);
+        let other_meshes = *meshes != *self.meshes();
+        *lock(&self.meshes) = meshes.into();
         let before = self.entries();
-        let now = self.look(&before);
+        let look = |path| Entry::look(path, &before);
+        let now: Vec<Entry> = self.paths(EXTENSION).into_iter().filter_map(look).collect();
         let paths = |entries: &[Entry]| -> Vec<PathBuf> {
             entries.iter().map(|entry| entry.path.clone()).collect()
         };
@@ -97,13 +117,14 @@ impl Library {
         if paths(&before) == paths(&now) && cards(&before) == cards(&now) {
             // Stamps may differ all the same.
             *lock(&self.entries) = now.into();
-            return false;
+            return other_meshes;
         }
         *lock(&self.entries) = now.into();
         true
     }
 
-    fn look(&self, before: &[Entry]) -> Vec<Entry> {
+    /// The folder's paths that end so, sorted.
+    fn paths(&self, end: &str) -> Vec<PathBuf> {
         let folder = self
             .folder
             .as_ref()
@@ -112,12 +133,14 @@ impl Library {
             .into_iter()
             .flatten()
             .filter_map(|file| Some(file.ok()?.path()))
-            .filter(|path| path.extension().is_some_and(|end| end == EXTENSION))
+            .filter(|path| {
+                path.extension()
+                    .is_some_and(|found| found.eq_ignore_ascii_case(end))
+            })
             .collect();
         paths.sort();
         paths.truncate(MOST_FILES);
-        let look = |path| Entry::look(path, before);
-        paths.into_iter().filter_map(look).collect()
+        paths
     }
 
     /// Puts the bank that is wanted on the shelf, and a copy into the folder if it comes from elsewhere;
@@ -152,16 +175,24 @@ impl Library {
 
     /// Copies a file into the folder, under a name that is free there.
     fn copy(&self, path: &Path) -> std::io::Result<()> {
+        if self.folder.is_none() || path.parent() == self.folder() {
+            return Ok(());
+        }
+        let name = file_name(path);
+        let stem = name.strip_suffix(".bank").unwrap_or(&name);
+        self.keep(stem, &fs::read(path)?)
+    }
+
+    /// Puts a bank's file into the folder, under a name that is free there; nowhere, without a folder.
+    ///
+    /// # Errors
+    ///
+    /// If the system refuses.
+    pub fn keep(&self, stem: &str, content: &[u8]) -> std::io::Result<()> {
         let Some(folder) = &self.folder else {
             return Ok(());
         };
-        if path.parent() == Some(folder) {
-            return Ok(());
-        }
         fs::create_dir_all(folder)?;
-        let content = fs::read(path)?;
-        let name = file_name(path);
-        let stem = name.strip_suffix(".bank").unwrap_or(&name);
         let names = std::iter::once(format!("{stem}.{EXTENSION}"))
             .chain((2..1000).map(|number| format!("{stem}-{number}.{EXTENSION}")));
         for name in names {

@@ -1,14 +1,16 @@
 //! A body of any shape: its surface and how it moves are given.
 
 use super::edges::edges;
-use super::{Kind, Line, Motions, Solid, Vector, add, cross, dot, unit};
+use super::struck::Lines;
+use super::{Kind, Motions, Solid, Vector, add, cross, dot, heard_modes, unit};
+use modes::{StrikeLine, Surface};
 use std::collections::HashMap;
 
 /// Cosine of the angle from which two triangles meet at an edge that is seen as one.
 const CREASE: f32 = 0.77;
 
 /// A surface as a mesh gives it.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Drawing {
     /// Points, in m.
     pub points_m: Vec<Vector>,
@@ -17,8 +19,42 @@ pub struct Drawing {
     /// Displacement φ of each point in kg^(−1/2), for each of the lowest modes in the order of
     /// [`Partial::all`](crate::engine::Partial::all); others are not seen to move it.
     pub motions: Vec<Vec<Vector>>,
-    /// Points of the strike line in m, and the normals there.
-    pub line: (Vec<Vector>, Vec<Vector>),
+    /// Where it is struck.
+    pub line: StrikeLine,
+}
+
+impl Drawing {
+    /// What a bank says of how a body looks and moves, in the size of that body.
+    #[must_use]
+    pub fn of(body: &modes::Body, surface: &Surface) -> Self {
+        let scale = body.surface_scale() as f32;
+        // Of bodies that differ in size alone, φ goes with size^(−3/2); where it is something else that
+        // differs, all motions do by the same factor, which the picture's exaggeration takes up.
+        let factor = scale.powf(-1.5);
+        let numbers: HashMap<_, usize> = (0..)
+            .zip(&body.modes)
+            .map(|(number, mode)| (mode.label, number))
+            .collect();
+        let motion = |mode: &modes::Mode| -> Vec<Vector> {
+            let known = numbers.get(&mode.label);
+            known
+                .and_then(|number| surface.motions.get(*number))
+                .map_or_else(Vec::new, |motion| {
+                    let points = 0..motion.points.len();
+                    points.map(|i| motion.at(i).map(|x| factor * x)).collect()
+                })
+        };
+        Self {
+            points_m: surface
+                .points_m
+                .iter()
+                .map(|point| point.map(|x| scale * x))
+                .collect(),
+            triangles: surface.triangles.clone(),
+            motions: heard_modes(body).into_iter().map(motion).collect(),
+            line: body.line.clone(),
+        }
+    }
 }
 
 /// Motion as it is given: each point as one of the drawing.
@@ -39,7 +75,7 @@ impl Given {
 }
 
 impl Solid {
-    /// From a drawing: smooth but for its creases, and struck as the nearest point of its line. Triangles of
+    /// From a drawing: smooth but for its creases, and struck as the nearest place of its grid. Triangles of
     /// points that are not there are left out.
     #[must_use]
     pub fn drawn(kind: Kind, drawing: Drawing) -> Self {
@@ -47,7 +83,7 @@ impl Solid {
             points_m,
             mut triangles,
             motions,
-            line: (line_m, line_normals),
+            line,
         } = drawing;
         triangles.retain(|triangle| triangle.iter().all(|i| (*i as usize) < points_m.len()));
         let split = Split::of(&points_m, &triangles);
@@ -55,18 +91,12 @@ impl Solid {
         Self {
             kind,
             edges: edges(&split.triangles, &points),
-            places: points
-                .iter()
-                .map(|point| nearest(*point, &line_m))
-                .collect(),
+            places: Vec::new(),
             points_m: points,
             normals: split.normals,
             triangles: split.triangles,
             thicker: 1.0,
-            line: Line {
-                points_m: line_m,
-                normals: line_normals,
-            },
+            lines: Lines::of(&line),
             motions: Motions::Given(Given {
                 motions,
                 from: split.from,
@@ -125,17 +155,6 @@ impl Split {
     }
 }
 
-/// The place 0…1 of the line's point that is nearest.
-fn nearest(point: Vector, line_m: &[Vector]) -> f32 {
-    let away = |on: &Vector| {
-        let apart = add(*on, -1.0, point);
-        dot(apart, apart)
-    };
-    let last = line_m.len().saturating_sub(1).max(1) as f32;
-    let nearest = (0..line_m.len()).min_by(|a, b| away(&line_m[*a]).total_cmp(&away(&line_m[*b])));
-    nearest.map_or(0.0, |at| at as f32 / last)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -153,20 +172,24 @@ mod tests {
             [0, 4, 6, 2],
             [1, 3, 7, 5],
         ];
+        let rows = [0.0, 0.5, 1.0];
         Solid::drawn(
-            Kind::Bar,
+            Kind::Other,
             Drawing {
                 triangles: faces
                     .iter()
                     .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d], [99, 0, 1]])
                     .collect(),
                 motions: vec![points_m.iter().map(|p| [0.0, 0.0, p[0]]).collect()],
-                line: (
-                    (0..=10u8)
-                        .map(|i| [f32::from(i) / 10.0, 0.5, 1.0])
+                line: StrikeLine {
+                    points_m: rows
+                        .iter()
+                        .flat_map(|y| (0..=10u8).map(|i| [f64::from(i) / 10.0, *y, 1.0]))
                         .collect(),
-                    vec![[0.0, 0.0, 1.0]; 11],
-                ),
+                    normals: vec![[0.0, 0.0, 1.0]; 33],
+                    rows: 3,
+                    closed: false,
+                },
                 points_m,
             },
         )
@@ -184,14 +207,24 @@ mod tests {
     }
 
     #[test]
-    fn points_move_as_they_are_given_and_are_struck_where_the_line_is_nearest() {
+    fn points_move_as_they_are_given() {
         let cube = cube();
-        for ((point, moved), place) in cube.points_m.iter().zip(cube.motion(0)).zip(&cube.places) {
+        for (point, moved) in cube.points_m.iter().zip(cube.motion(0)) {
             assert_eq!(moved, [0.0, 0.0, point[0]]);
-            assert_eq!(*place, point[0]);
         }
         assert!(cube.motion(1).iter().all(|u| *u == [0.0; 3]));
-        let (at, normal) = cube.at(0.25);
-        assert!((at[0] - 0.25).abs() < 1e-6 && normal == [0.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn it_is_struck_along_and_across_where_its_grid_is_nearest() {
+        let cube = cube();
+        for (x, y) in [(0.0, 0.0), (0.33, 0.8), (0.97, 0.4), (1.0, 1.0)] {
+            let struck = cube.struck_as([x, y, 1.0], 0, [1.0, 0.0, 0.0]);
+            assert!((struck.along - x).abs() < 1e-5, "{struck:?}");
+            assert!((struck.across.unwrap() - y).abs() < 1e-5, "{struck:?}");
+            let (at, normal) = cube.at([struck.along, struck.across.unwrap()]);
+            let away = add(at, -1.0, [x, y, 1.0]);
+            assert!(dot(away, away) < 1e-10 && normal == [0.0, 0.0, 1.0]);
+        }
     }
 }

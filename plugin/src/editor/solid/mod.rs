@@ -6,11 +6,13 @@ mod drawn;
 mod edges;
 mod revolve;
 mod space;
+mod struck;
 mod turned;
 
 pub use drawn::Drawing;
 pub use space::Vector;
 pub(crate) use space::{add, between, cross, dot, unit};
+pub use struck::Place;
 
 use super::figure::Kind;
 use crate::engine::Partial;
@@ -20,6 +22,7 @@ use edges::edges;
 use modes::{Material, ModeLabel};
 use std::collections::HashMap;
 use std::ops::Range;
+use struck::Lines;
 use turned::Turned;
 
 /// The surface of a body, in the coordinates of its strike line.
@@ -33,21 +36,15 @@ pub struct Solid {
     pub normals: Vec<Vector>,
     /// Triangles of points, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// The place on the strike line, 0…1, that each point is struck as.
+    /// The place on the strike line, 0…1, that each point is struck as; none where a drawing is struck
+    /// as what of its strike grid is nearest.
     pub places: Vec<f32>,
     /// Two points and the triangles on both sides, for every edge between two triangles.
     pub(crate) edges: Vec<[u32; 4]>,
     /// How much thicker than it is a slender body is drawn.
     pub thicker: f32,
-    line: Line,
+    lines: Lines,
     motions: Motions,
-}
-
-/// The strike line as it is drawn.
-#[derive(Clone, Debug, Default)]
-struct Line {
-    points_m: Vec<Vector>,
-    normals: Vec<Vector>,
 }
 
 /// How the modes move the points, in the order of [`Partial::all`].
@@ -82,6 +79,9 @@ impl Solid {
     /// That of a bank's body of this material.
     #[must_use]
     pub fn of(body: &modes::Body, material: &Material) -> Self {
+        if let Some(surface) = &body.surface {
+            return Self::drawn(Kind::Other, Drawing::of(body, surface));
+        }
         let kind = Kind::of(body);
         let (skin, places, motions, thicker) = match kind {
             Kind::Bar => {
@@ -90,7 +90,7 @@ impl Solid {
                 let beam = Beam::of(body, &shape, &skin.points_m);
                 (skin, places, Motions::Beam(beam), 1.0)
             }
-            Kind::Tube | Kind::Bowl => {
+            Kind::Tube | Kind::Bowl | Kind::Other => {
                 let profile = revolve::Profile::of(body, material, kind);
                 let (skin, places) = profile.skin();
                 let thicker = profile.thicker;
@@ -102,12 +102,8 @@ impl Solid {
                 )
             }
         };
-        let single = |v: &[f64; 3]| v.map(|x| x as f32);
-        let mut line = Line {
-            points_m: body.line.points_m.iter().map(single).collect(),
-            normals: body.line.normals.iter().map(single).collect(),
-        };
-        for point in &mut line.points_m {
+        let mut lines = Lines::of(&body.line);
+        for point in &mut lines.points_m {
             if kind == Kind::Tube {
                 point[0] *= thicker;
             }
@@ -120,7 +116,7 @@ impl Solid {
             triangles: skin.triangles,
             places,
             thicker,
-            line,
+            lines,
             motions,
         }
     }
@@ -134,24 +130,6 @@ impl Solid {
             Motions::Beam(beam) => beam.motion(mode),
             Motions::Given(given) => given.motion(mode),
         }
-    }
-
-    /// The point in m and the normal at a place 0…1 on the strike line.
-    #[must_use]
-    pub fn at(&self, place: f32) -> (Vector, Vector) {
-        let Line { points_m, normals } = &self.line;
-        let last = points_m.len().saturating_sub(1);
-        if last == 0 {
-            return Default::default();
-        }
-        let x = place.clamp(0.0, 1.0) * last as f32;
-        #[expect(clippy::cast_sign_loss, reason = "places are not negative")]
-        let cell = (x as usize).min(last - 1);
-        let share = x - cell as f32;
-        (
-            between(points_m[cell], points_m[cell + 1], share),
-            unit(between(normals[cell], normals[cell + 1], share)),
-        )
     }
 }
 
@@ -231,7 +209,7 @@ mod tests {
             let count = body.line.len();
             for i in [0, count / 3, count - 1] {
                 let place = i as f32 / (count - 1) as f32;
-                let (at, normal) = solid.at(place);
+                let (at, normal) = solid.at([place, 0.0]);
                 let away = |p: &Vector| {
                     let d = add(*p, -1.0, at);
                     dot(d, d)

@@ -43,14 +43,14 @@ impl Profile {
         let first = line.points_m[0];
         let thicker = match kind {
             Kind::Tube => (body.length_m / (2.0 * first[0].max(THINNEST_M)) / SLENDER).max(1.0),
-            Kind::Bar | Kind::Bowl => 1.0,
+            Kind::Bar | Kind::Bowl | Kind::Other => 1.0,
         };
         let mut outer: Vec<Rim> = (line.points_m.iter().zip(&line.normals))
             .enumerate()
             .map(|(sample, (point, normal))| Rim {
                 r_m: match kind {
                     Kind::Tube => thicker * point[0].max(THINNEST_M),
-                    Kind::Bar | Kind::Bowl => point[0].max(0.0),
+                    Kind::Bar | Kind::Bowl | Kind::Other => point[0].max(0.0),
                 },
                 z_m: point[2],
                 normal: [normal[0], normal[2]],
@@ -66,7 +66,7 @@ impl Profile {
             Kind::Tube => {
                 bore_wall_m(first[0].max(THINNEST_M), volume_m3 / body.length_m) * thicker
             }
-            Kind::Bar | Kind::Bowl => shell_wall_m(&outer, volume_m3),
+            Kind::Bar | Kind::Bowl | Kind::Other => shell_wall_m(&outer, volume_m3),
         };
         let inner: Vec<Rim> = outer.iter().rev().map(|rim| inside(rim, wall_m)).collect();
         let runs = match kind {
@@ -76,7 +76,7 @@ impl Profile {
                 vec![outer, below, inner, above]
             }
             // A bowl's wall ends at the rim alone: its base closes on the axis.
-            Kind::Bar | Kind::Bowl => {
+            Kind::Bar | Kind::Bowl | Kind::Other => {
                 let above = edge(&inner[last], &outer[0]);
                 vec![outer, inner, above]
             }
@@ -85,7 +85,7 @@ impl Profile {
             runs,
             around: match kind {
                 Kind::Tube => AROUND_TUBE,
-                Kind::Bar | Kind::Bowl => AROUND_BOWL,
+                Kind::Bar | Kind::Bowl | Kind::Other => AROUND_BOWL,
             },
             thicker: thicker as f32,
             samples: line.len(),

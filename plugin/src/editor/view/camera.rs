@@ -32,6 +32,7 @@ impl Camera {
             Kind::Bar => (-0.42, 0.62),
             Kind::Tube => (0.38, 0.30),
             Kind::Bowl => (0.0, 0.62),
+            Kind::Other => (-0.5, 0.5),
         };
         Self {
             kind,
@@ -59,11 +60,11 @@ impl Camera {
     }
 
     /// Right, up and towards the eye, as directions of the body.
-    fn axes(&self) -> [Vector; 3] {
+    pub(super) fn axes(&self) -> [Vector; 3] {
         // The body's axes that lie right, up and towards the eye before any turn.
         let [right, up, near]: [Vector; 3] = match self.kind {
             // Struck from above by someone who stands before it.
-            Kind::Bar => [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]],
+            Kind::Bar | Kind::Other => [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]],
             // Laid down with the upper end on the left, the struck side towards the eye.
             Kind::Tube => [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]],
             Kind::Bowl => [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]],
@@ -143,7 +144,7 @@ mod tests {
 
     #[test]
     fn axes_stay_square_however_it_is_turned() {
-        for kind in [Kind::Bar, Kind::Tube, Kind::Bowl] {
+        for kind in [Kind::Bar, Kind::Tube, Kind::Bowl, Kind::Other] {
             let mut camera = Camera::on(kind);
             for _ in 0..50 {
                 camera.turn(egui::vec2(31.0, -17.0));

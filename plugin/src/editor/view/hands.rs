@@ -3,7 +3,7 @@
 use super::super::hold::Hold;
 use super::super::knob::notches;
 use super::super::link::Touch;
-use super::super::solid::Solid;
+use super::super::solid::{Place, Solid};
 use super::camera::Camera;
 use super::{Press, Sight, View};
 use egui::{EventFilter, Key, PointerButton, Response, Ui, Vec2, vec2};
@@ -48,7 +48,7 @@ impl View {
                 self.portrait.camera = Camera::on(solid.kind);
             } else if response.clicked() && !ui.input(|input| input.pointer.any_released()) {
                 let set = sight.position.map_or(0.0, |param| param.plain() / 100.0);
-                self.touch(key, set, sight);
+                self.touch(key, [set, sight.set_across()], sight);
                 sight.link.touch(Touch::Release { key });
             }
             self.press = Press::Nothing;
@@ -87,21 +87,26 @@ impl View {
         }
     }
 
-    /// Strikes at a place on the line, which is automation of the strike position.
-    fn strike(&self, key: u8, place: f32, sight: &Sight<'_, '_>, hold: &mut Hold) {
+    /// Strikes at a place, which is automation of the strike position and of the place across.
+    fn strike(&self, key: u8, place: Place, sight: &Sight<'_, '_>, hold: &mut Hold) {
+        let Place { along, across } = place;
         if let Some(param) = sight.position {
             hold.take(param, sight.setter);
-            hold.put(param.place(100.0 * place), sight.setter);
+            hold.put(param.place(100.0 * along), sight.setter);
         }
-        self.touch(key, place, sight);
+        if let (Some(param), Some(across)) = (sight.across, across) {
+            hold.put_beside(param, param.place(100.0 * across), sight.setter);
+        }
+        let across = across.unwrap_or_else(|| sight.set_across());
+        self.touch(key, [along, across], sight);
     }
 
-    fn touch(&self, key: u8, position: f32, sight: &Sight<'_, '_>) {
+    fn touch(&self, key: u8, [position, across]: [f32; 2], sight: &Sight<'_, '_>) {
         sight.link.touch(Touch::Strike {
             key,
             velocity: sight.velocity,
             position,
-            across: sight.across,
+            across,
         });
     }
 }

@@ -12,14 +12,15 @@ mod sway;
 pub use portrait::{Paint, Portrait, Swinging};
 
 use super::caption::{CAPTION, Told, caption, place};
-use super::figure::{key_name, tint};
+use super::figure::{Kind, key_name, tint};
 use super::frame::Frame;
 use super::hold::Hold;
 use super::link::Link;
 use super::param::Param;
 use super::shown::Shown;
-use super::solid::{Solid, Vector};
+use super::solid::{Place, Solid, Vector};
 use super::theme::{Cause, NEAR, Theme};
+use camera::Camera;
 use egui::{CursorIcon, Id, Rect, Role, Sense, Shape, Ui, WidgetInfo, pos2, vec2};
 use marks::{Mark, controls, mark};
 use nice_plug::prelude::ParamSetter;
@@ -29,6 +30,11 @@ const SHINES: f64 = 2600.0;
 /// Height of what lies below the body.
 const CONTROLS: f32 = 14.0;
 
+/// Right, up and towards the eye, as a body of that kind is looked at at first.
+pub(super) fn first_axes(kind: Kind) -> [Vector; 3] {
+    Camera::on(kind).axes()
+}
+
 /// What the panel remembers.
 pub(super) struct View {
     /// Instrument and key of the body, and its surface.
@@ -37,8 +43,8 @@ pub(super) struct View {
     /// How far the picture exaggerates, 1 for well to be seen, 0 for not at all.
     motion: f32,
     press: Press,
-    /// Where it was clicked last, and as which place on the line.
-    clicked: Option<(Vector, f32)>,
+    /// Where it was clicked last, and as which place.
+    clicked: Option<(Vector, Place)>,
 }
 
 /// What the button that is held down does.
@@ -61,14 +67,19 @@ pub(super) struct Sight<'a, 'b> {
     /// How hard clicks strike, 0…1.
     pub(super) velocity: f32,
     pub(super) position: Option<&'a Param>,
-    /// Where across they strike, 0…1.
-    pub(super) across: f32,
+    /// The place across.
+    pub(super) across: Option<&'a Param>,
     pub(super) setter: &'a ParamSetter<'b>,
 }
 
 impl Sight<'_, '_> {
     fn shown(&self) -> &Shown {
         self.told.shown
+    }
+
+    /// Where across notes strike, 0…1.
+    fn set_across(&self) -> f32 {
+        self.across.map_or(0.0, |param| param.plain() / 100.0)
     }
 }
 
@@ -115,7 +126,7 @@ impl View {
         let kind = solid.kind;
         self.solid = Some((sight.instrument, key, solid));
         hovered.map(|_| match on {
-            Some((_, at)) => format!("A click strikes here, {}", place(kind, at)),
+            Some((_, at)) => format!("A click strikes here, {}", place(kind, at.along)),
             None => "Drag to turn the body, wheel to come nearer; a double click looks as at first"
                 .to_owned(),
         })
@@ -181,7 +192,7 @@ impl View {
     }
 
     /// Marks where the body was struck last, where notes strike it, and where a click would.
-    fn mark(&self, ui: &Ui, solid: &Solid, sight: &Sight<'_, '_>, on: Option<(Vector, f32)>) {
+    fn mark(&self, ui: &Ui, solid: &Solid, sight: &Sight<'_, '_>, on: Option<(Vector, Place)>) {
         let Some(lens) = &self.portrait.lens else {
             return;
         };
@@ -190,17 +201,18 @@ impl View {
             .struck
             .filter(|struck| struck.key == sight.shown().key);
         let set = sight.position.map_or(0.0, |param| param.plain() / 100.0);
-        let (at, normal) = solid.at(set);
+        let (at, normal) = solid.at([set, sight.set_across()]);
         mark(ui, lens, at, Some(normal), Mark::Set, sight.theme);
         if let Some(struck) = struck {
-            let position = struck.position as f32;
-            let clicked = self
-                .clicked
-                .filter(|(_, place)| (place - position).abs() < 0.005);
+            let [along, across] = [struck.position, struck.across].map(|x| x as f32);
+            let clicked = self.clicked.filter(|(_, place)| {
+                let aside = place.across.map_or(0.0, |clicked| clicked - across);
+                (place.along - along).abs().max(aside.abs()) < 0.005
+            });
             let (at, normal) = match clicked {
                 Some((at, _)) => (at, None),
                 None => {
-                    let (at, normal) = solid.at(position);
+                    let (at, normal) = solid.at([along, across]);
                     (at, Some(normal))
                 }
             };

@@ -1,7 +1,7 @@
 //! A body drawn: from its surface and how its modes swing to triangles on the screen.
 
 use super::super::figure::Kind;
-use super::super::solid::{Solid, Vector, add};
+use super::super::solid::{Place, Solid, Vector, add};
 use super::camera::{Camera, Lens};
 use super::nodal::nodal_lines;
 use super::picture::{Picture, colours};
@@ -108,18 +108,14 @@ impl Portrait {
             .mesh(solid, &colours, lines, &lens, paint.pixel)
     }
 
-    /// The point of the surface in m at a place on the screen, and the place 0…1 on the strike line that a
-    /// blow there counts as.
+    /// The point of the surface in m at a place on the screen, and what a blow there counts as.
     #[must_use]
-    pub fn struck_at(&self, solid: &Solid, at: Pos2) -> Option<(Vector, f32)> {
+    pub fn struck_at(&self, solid: &Solid, at: Pos2) -> Option<(Vector, Place)> {
         let (number, shares) = self.picture.pick(solid, at)?;
         let corners = solid.triangles[number as usize];
-        let mut point = [0.0; 3];
-        let mut place = 0.0;
-        for (i, share) in corners.into_iter().zip(shares) {
-            point = add(point, share, solid.points_m[i as usize]);
-            place += share * solid.places[i as usize];
-        }
-        Some((point, place.clamp(0.0, 1.0)))
+        let point = (corners.into_iter().zip(shares)).fold([0.0; 3], |sum, (i, share)| {
+            add(sum, share, solid.points_m[i as usize])
+        });
+        Some((point, solid.struck_as(point, number as usize, shares)))
     }
 }

@@ -1,0 +1,101 @@
+//! Files looked into, built, given up and refused.
+
+use super::*;
+use modes::solid::{gallery, write_obj};
+use std::fs;
+use std::time::{Duration, Instant};
+
+fn order(file: &std::path::Path) -> MeshOrder {
+    MeshOrder {
+        file: file.to_str().unwrap().to_owned(),
+        object: None,
+        material: "bell bronze".to_owned(),
+        size_m: Some(0.2),
+        wall_m: None,
+        keys: [36, 96],
+        by: "size".to_owned(),
+        tuned: "lowest".to_owned(),
+        nodes: 0,
+        most_modes: 0,
+    }
+}
+
+/// How it stands when no thread is at work.
+fn rest(mesher: &Mesher) -> State {
+    let start = Instant::now();
+    while mesher.state().phase.works() {
+        assert!(start.elapsed() < Duration::from_secs(120));
+        thread::sleep(Duration::from_millis(5));
+    }
+    mesher.state()
+}
+
+#[test]
+fn a_star_is_looked_into_built_kept_and_played() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("star.obj");
+    fs::write(&file, write_obj(&gallery::star(5, 100.0, 20.0))).unwrap();
+    let banks = folder.path().join("Banks");
+    let (library, shelf) = (Arc::new(Library::new(Some(banks.clone()))), Arc::default());
+    let mut mesher = Mesher::default();
+    mesher.look(file.clone(), || ());
+    let facts = rest(&mesher).facts.unwrap();
+    assert!((facts.longest - 190.2).abs() < 10.0, "{}", facts.longest);
+    assert!((guessed_size_m(facts.longest) - 1e-3 * facts.longest).abs() < 1e-12);
+    for _ in 0..2 {
+        let order = MeshOrder {
+            size_m: Some(if banks.exists() { 0.3 } else { 0.2 }),
+            ..order(&file)
+        };
+        mesher.build(order, Quality::Preview, &library, &shelf, || ());
+        assert_eq!(rest(&mesher).phase, Phase::Done);
+        assert!(library.arrived());
+    }
+    assert_eq!(shelf.own().unwrap().title(), "star");
+    assert_eq!(
+        shelf.own().unwrap().bank().bodies.len(),
+        61,
+        "a body to a key"
+    );
+    for name in ["star.bank", "star-2.bank"] {
+        assert!(banks.join(name).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn what_is_given_up_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("star.obj");
+    fs::write(&file, write_obj(&gallery::star(5, 0.1, 0.02))).unwrap();
+    let banks = folder.path().join("Banks");
+    let (library, shelf) = (Arc::new(Library::new(Some(banks.clone()))), Arc::default());
+    let mut mesher = Mesher::default();
+    mesher.build(order(&file), Quality::Full, &library, &shelf, || ());
+    mesher.cancel();
+    assert_eq!(rest(&mesher).phase, Phase::Cancelled);
+    assert!(shelf.own().is_none() && !banks.exists());
+    // The window closes in the midst of it.
+    mesher.build(order(&file), Quality::Full, &library, &shelf, || ());
+    drop(mesher);
+    assert!(!banks.exists());
+    assert_eq!(Arc::strong_count(&shelf), 1, "no thread is left");
+}
+
+#[test]
+fn what_is_no_solid_is_refused_with_its_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("sheet.obj");
+    fs::write(&file, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
+    let (library, shelf) = (Arc::new(Library::new(None)), Arc::default());
+    let mut mesher = Mesher::default();
+    mesher.build(order(&file), Quality::Preview, &library, &shelf, || ());
+    let Phase::Refused(reason) = rest(&mesher).phase else {
+        panic!("{:?}", mesher.state());
+    };
+    assert!(reason.contains("sheet.obj"), "{reason}");
+    mesher.look(folder.path().join("nothing.obj"), || ());
+    let Phase::Refused(reason) = rest(&mesher).phase else {
+        panic!("{:?}", mesher.state());
+    };
+    assert!(reason.contains("nothing.obj"), "{reason}");
+}
