@@ -63,8 +63,12 @@ impl Body {
     ) -> bool {
         let pitch = self.tuned.is_none_or(|old| old.ratio != tuned.ratio);
         let all = self.tuned != Some(tuned);
-        // What moving damping has left a hair off is put right when it rests.
-        let exact = !all && std::mem::take(&mut self.off);
+        // What moving damping has left a hair off is put right when it rests; what is silent gains nothing
+        // by it.
+        let exact = if all { self.live == 0 } else { self.off };
+        if exact {
+            self.off = false;
+        }
         let count = if all || exact {
             self.tones.len()
         } else {
@@ -89,6 +93,9 @@ impl Body {
             step_s,
         });
         self.tuned = Some(tuned);
+        if all {
+            self.stepped = 0;
+        }
         if moved > 0 {
             self.hear(moved, self.live == 0);
         }
@@ -98,7 +105,12 @@ impl Body {
         self.off
     }
 
+    /// Makes the steps in which the body moves while it is pushed, if they are not made.
     pub(super) fn tune_steps(&mut self, kernel: Kernel, sample_s: f64) {
+        if self.stepped == self.substeps {
+            return;
+        }
+        self.stepped = self.substeps;
         kernel.run(TuneSteps {
             tones: &self.tones,
             steps: &mut self.steps,

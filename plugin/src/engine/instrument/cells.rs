@@ -7,6 +7,9 @@ use crate::engine::damper::{Dampers, bit};
 use crate::engine::losses::Drain;
 use crate::engine::source::Hearing;
 
+/// Bodies asleep that are made ready in one cell.
+const PREPARED: usize = 4;
+
 /// Every thirty-second key.
 const PARTS: u128 = 0x0000_0001_0000_0001_0000_0001_0000_0001;
 
@@ -94,14 +97,47 @@ impl Engine {
         }
     }
 
+    /// Tunes a body to what holds now, at once; whether it is to be tuned once more when nothing moves.
+    pub(super) fn fit(&mut self, key: u8, drain: &Drain) -> bool {
+        let (tuned, hearing) = (self.tuned(key, drain), self.hearing(key));
+        let Some(body) = self.bodies[usize::from(key)].as_mut() else {
+            return false;
+        };
+        body.trim(&self.trims, self.trims_number);
+        let moved = body.listen(&hearing);
+        body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s)
+    }
+
+    /// Tunes a few of the bodies that sleep, so that a chord finds them ready: `most` of them.
+    ///
+    /// What is made so is what a blow would make, hence no sound tells whether this has been.
+    pub(super) fn prepare(&mut self, most: usize) {
+        let waiting = (self.stale | self.unheard) & !self.awake & !self.swinging;
+        if waiting == 0 {
+            return;
+        }
+        let drain = self.drain();
+        for key in keys(waiting).take(most) {
+            self.unheard &= !bit(key);
+            if !self.fit(key, &drain) {
+                self.stale &= !bit(key);
+            }
+            if let Some(body) = self.bodies[usize::from(key)].as_mut() {
+                body.prepare(self.kernel, self.step_s);
+            }
+        }
+    }
+
     /// What is looked at on the grid only; then what rings freely sounds for a cell.
     pub(super) fn look(&mut self) {
         if self.awake | self.bowed == 0 {
             self.arrive();
             self.motor.advance(&self.glides.discs(), self.step_s);
+            self.prepare(PREPARED);
             return;
         }
-        if self.glides.advance() {
+        let moves = self.glides.advance();
+        if moves {
             self.moved();
         }
         if self.motor.advance(&self.glides.discs(), self.step_s) {
@@ -120,6 +156,9 @@ impl Engine {
         self.rest();
         self.rub();
         self.sympathise();
+        if !moves {
+            self.prepare(PREPARED);
+        }
         self.ring();
     }
 
@@ -152,15 +191,12 @@ impl Engine {
         let joined = self.bodies.iter().flatten().count().max(1) as f64;
         let share = sympathy * self.glides.supports().min(1.0) * self.step_s / joined;
         for key in 0..128 {
-            let (tuned, hearing) = (self.tuned(key, &drain), self.hearing(key));
+            if self.awake & bit(key) == 0 {
+                self.fit(key, &drain);
+            }
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            if self.awake & bit(key) == 0 {
-                body.trim(&self.trims, self.trims_number);
-                let moved = body.listen(&hearing);
-                body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
-            }
             body.answer(self.kernel, &all, share as f32);
         }
     }
