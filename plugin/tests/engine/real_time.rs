@@ -206,6 +206,42 @@ fn bodies_made_ready_sound_as_those_that_are_not() {
     }
 }
 
+/// Losses set while nothing sounds hold from the first touch on, as if the bank had them.
+#[test]
+fn losses_set_in_silence_hold_from_the_blow_on() {
+    let lossy = Damping {
+        rayleigh: Rayleigh {
+            alpha1_s: 0.0,
+            alpha2_per_s: 50.0,
+        },
+        loss_factor: 0.0,
+    };
+    let plain = chimes([60]);
+    let mut dull = plain.clone();
+    dull.damping.rayleigh.alpha2_per_s += lossy.rayleigh.alpha2_per_s;
+    let mut set = Engine::new(&plain, 48_000.0);
+    set.set(&Settings {
+        losses: Losses {
+            added: lossy,
+            ..Losses::AS_BUILT
+        },
+        ..Settings::default()
+    });
+    set.reset();
+    let mut built = Engine::new(&dull, 48_000.0);
+    let [set, built] = [&mut set, &mut built].map(|engine| {
+        engine.strike(60, 1.0);
+        crate::support::left(engine, 2400)
+    });
+    // Banks are made equally loud, so the two differ by one factor.
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let share = product(&set, &built) / product(&built, &built);
+    let off: Vec<f64> = set.iter().zip(&built).map(|(a, b)| a - share * b).collect();
+    let rest = (product(&off, &off) / product(&set, &set)).sqrt();
+    println!("rest {rest:.1e}");
+    assert!(rest < 1e-6, "{rest:e}");
+}
+
 #[test]
 fn bodies_fall_asleep_and_silence_is_exact() {
     let mut engine = Engine::new(&chimes([60, 74]), 48_000.0);

@@ -63,12 +63,8 @@ impl Body {
     ) -> bool {
         let pitch = self.tuned.is_none_or(|old| old.ratio != tuned.ratio);
         let all = self.tuned != Some(tuned);
-        // What moving damping has left a hair off is put right when it rests; what is silent gains nothing
-        // by it.
-        let exact = if all { self.live == 0 } else { self.off };
-        if exact {
-            self.off = false;
-        }
+        // What moving damping has left a hair off is put right when it rests.
+        let exact = !all && std::mem::take(&mut self.off);
         let count = if all || exact {
             self.tones.len()
         } else {
