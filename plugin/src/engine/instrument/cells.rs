@@ -1,14 +1,12 @@
 //! What is looked at on the grid, and the sound of a cell.
 
+use super::ready::PREPARED;
 use super::{Engine, finish, keys};
 use crate::engine::GRID;
 use crate::engine::body::{Moved, Tuned};
 use crate::engine::damper::{Dampers, bit};
 use crate::engine::losses::Drain;
 use crate::engine::source::Hearing;
-
-/// Bodies asleep that are made ready in one cell.
-const PREPARED: usize = 4;
 
 /// Every thirty-second key.
 const PARTS: u128 = 0x0000_0001_0000_0001_0000_0001_0000_0001;
@@ -46,8 +44,7 @@ impl Engine {
 
     /// What the modes of a key's body are tuned to now, `drain` being what drains all.
     pub(super) fn tuned(&self, key: u8, drain: &Drain) -> Tuned {
-        let slot = usize::from(key);
-        let hand = &self.hands[slot];
+        let hand = &self.hands[usize::from(key)];
         let has_felt = self.body(key).is_some_and(|body| body.has_felt);
         let felt = if self.settings.note_off_damps {
             hand.hold.felt
@@ -59,6 +56,12 @@ impl Engine {
         } else {
             Dampers::new(felt, has_felt)
         };
+        self.tuned_under(&on, key, drain)
+    }
+
+    /// The same under other dampers than those that are on it.
+    pub(super) fn tuned_under(&self, on: &Dampers, key: u8, drain: &Drain) -> Tuned {
+        let hand = &self.hands[usize::from(key)];
         let doppler = self.swung(key).0;
         Tuned {
             drain: Drain {
@@ -97,37 +100,6 @@ impl Engine {
         }
     }
 
-    /// Tunes a body to what holds now, at once; whether it is to be tuned once more when nothing moves.
-    pub(super) fn fit(&mut self, key: u8, drain: &Drain) -> bool {
-        let (tuned, hearing) = (self.tuned(key, drain), self.hearing(key));
-        let Some(body) = self.bodies[usize::from(key)].as_mut() else {
-            return false;
-        };
-        body.trim(&self.trims, self.trims_number);
-        let moved = body.listen(&hearing);
-        body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s)
-    }
-
-    /// Tunes a few of the bodies that sleep, so that a chord finds them ready: `most` of them.
-    ///
-    /// What is made so is what a blow would make, hence no sound tells whether this has been.
-    pub(super) fn prepare(&mut self, most: usize) {
-        let waiting = (self.stale | self.unheard) & !self.awake & !self.swinging;
-        if waiting == 0 {
-            return;
-        }
-        let drain = self.drain();
-        for key in keys(waiting).take(most) {
-            self.unheard &= !bit(key);
-            if !self.fit(key, &drain) {
-                self.stale &= !bit(key);
-            }
-            if let Some(body) = self.bodies[usize::from(key)].as_mut() {
-                body.prepare(self.kernel, self.step_s);
-            }
-        }
-    }
-
     /// What is looked at on the grid only; then what rings freely sounds for a cell.
     pub(super) fn look(&mut self) {
         if self.awake | self.bowed == 0 {
@@ -136,11 +108,12 @@ impl Engine {
             self.prepare(PREPARED);
             return;
         }
-        let moves = self.glides.advance();
-        if moves {
+        let glides = self.glides.advance();
+        if glides {
             self.moved();
         }
-        if self.motor.advance(&self.glides.discs(), self.step_s) {
+        let turns = self.motor.advance(&self.glides.discs(), self.step_s);
+        if turns {
             (self.stale, self.unheard) = (u128::MAX, u128::MAX);
         }
         self.gain = [self.gain[1], self.glides.gain()];
@@ -156,7 +129,8 @@ impl Engine {
         self.rest();
         self.rub();
         self.sympathise();
-        if !moves {
+        // What moves on would have it all to do again in the next cell.
+        if !glides && !turns {
             self.prepare(PREPARED);
         }
         self.ring();
@@ -298,6 +272,8 @@ impl Engine {
             if !body.settle(&mut self.packs) {
                 body.hush(&mut self.packs);
                 self.awake &= !bit(key);
+                // The next blow finds no felt on it.
+                self.stale |= bit(key);
             }
             if body.live != before {
                 self.arranged = None;

@@ -3,6 +3,7 @@
 mod cells;
 mod glance;
 mod playing;
+mod ready;
 
 pub use glance::{Held, Struck};
 
