@@ -2,10 +2,12 @@
 //!
 //! ```text
 //! ring time BODIES RUNS [VECTORS]    least times of so many short runs, as one line of JSON
+//! ring chord RUNS                    first blocks of chords of all keys, a line for each instrument
 //! ring render BODIES SAMPLES         so many samples after a tenth of a second of strikes
 //! ```
 
 mod bank;
+mod chord;
 mod cost;
 mod vectors;
 
@@ -26,7 +28,8 @@ const MODES: usize = 64;
 /// After so many blocks the mallets are off.
 const STRUCK_BLOCKS: usize = 75;
 
-const USAGE: &str = "usage: ring time BODIES RUNS [VECTORS] | ring render BODIES SAMPLES";
+const USAGE: &str =
+    "usage: ring time BODIES RUNS [VECTORS] | ring chord RUNS | ring render BODIES SAMPLES";
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -47,6 +50,7 @@ fn run(words: &[&str]) -> Result<(), String> {
             let (bodies, runs) = (bodies_of(bodies)?, number(runs)?);
             println!("{}", Cost::of(bodies, runs, vectors).json());
         }
+        ["chord", runs] => chord::time(number(runs)?),
         ["render", bodies, samples] => {
             let mut engine = ringing(bodies_of(bodies)?, MODES, Vectors::choose(None)?);
             render(&mut engine, number(samples)?);

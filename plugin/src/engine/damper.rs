@@ -32,6 +32,12 @@ impl Dampers {
         }
     }
 
+    /// Nothing.
+    pub(crate) const OFF: Self = Self {
+        felt: 0.0,
+        hand_per_s: 0.0,
+    };
+
     /// A hand that silences the body.
     pub(crate) const CHOKE: Self = Self {
         felt: 0.0,

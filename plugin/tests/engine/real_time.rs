@@ -172,6 +172,76 @@ fn anything_at_all_leaves_the_output_finite_and_bounded() {
     assert!(peak > 0.1);
 }
 
+/// Bodies are tuned ahead of blows while nothing sounds, which no sound may tell.
+#[test]
+fn bodies_made_ready_sound_as_those_that_are_not() {
+    let settings = Settings {
+        losses: Losses {
+            added: Damping {
+                rayleigh: Rayleigh {
+                    alpha1_s: 0.0,
+                    alpha2_per_s: 0.05,
+                },
+                loss_factor: 0.0,
+            },
+            ..Losses::AS_BUILT
+        },
+        ..Settings::default()
+    };
+    let chord = |silent: usize| {
+        let mut engine = Engine::new(&chimes(60..=71), 48_000.0);
+        engine.set(&settings);
+        crate::support::left(&mut engine, silent);
+        // Back to the same place in the song, on which the scatter of blows depends.
+        engine.reset();
+        for key in 60..=71 {
+            engine.strike(key, 1.0);
+        }
+        crate::support::left(&mut engine, 4800)
+    };
+    let at_once = chord(0);
+    assert!(at_once.iter().any(|sample| *sample != 0.0));
+    for cells in [1, 2, 100] {
+        assert_eq!(chord(32 * cells), at_once, "after {cells} cells");
+    }
+}
+
+/// Losses set while nothing sounds hold from the first touch on, as if the bank had them.
+#[test]
+fn losses_set_in_silence_hold_from_the_blow_on() {
+    let lossy = Damping {
+        rayleigh: Rayleigh {
+            alpha1_s: 0.0,
+            alpha2_per_s: 50.0,
+        },
+        loss_factor: 0.0,
+    };
+    let plain = chimes([60]);
+    let mut dull = plain.clone();
+    dull.damping.rayleigh.alpha2_per_s += lossy.rayleigh.alpha2_per_s;
+    let mut set = Engine::new(&plain, 48_000.0);
+    set.set(&Settings {
+        losses: Losses {
+            added: lossy,
+            ..Losses::AS_BUILT
+        },
+        ..Settings::default()
+    });
+    set.reset();
+    let mut built = Engine::new(&dull, 48_000.0);
+    let [set, built] = [&mut set, &mut built].map(|engine| {
+        engine.strike(60, 1.0);
+        crate::support::left(engine, 2400)
+    });
+    // Banks are made equally loud, so the two differ by one factor.
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let share = product(&set, &built) / product(&built, &built);
+    let off: Vec<f64> = set.iter().zip(&built).map(|(a, b)| a - share * b).collect();
+    let rest = (product(&off, &off) / product(&set, &set)).sqrt();
+    println!("rest {rest:.1e}");
+    assert!(rest < 1e-6, "{rest:e}");
+}
+
 #[test]
 fn bodies_fall_asleep_and_silence_is_exact() {
     let mut engine = Engine::new(&chimes([60, 74]), 48_000.0);

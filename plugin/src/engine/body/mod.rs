@@ -53,6 +53,8 @@ pub(crate) struct Body {
     strand: Strand,
     steps: Vec<Step>,
     substeps: u32,
+    /// Substeps that `steps` are made for; 0 if the modes have been tuned otherwise since.
+    stepped: u32,
     /// What the modes are tuned to.
     tuned: Option<Tuned>,
     /// Whether tables are made for damping a hair off.
@@ -101,6 +103,7 @@ impl Body {
             rub: grips::bow(&modes, body.line.points_m[0]),
             steps: vec![Step::STILL; packs],
             substeps: 1,
+            stepped: 0,
             tuned: None,
             off: false,
             heard: None,

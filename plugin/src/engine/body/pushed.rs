@@ -90,6 +90,12 @@ impl Body {
         });
     }
 
+    /// Makes ready, while it sleeps, the steps in which most blows are followed.
+    pub(crate) fn prepare(&mut self, kernel: Kernel, step_s: f64) {
+        self.substeps = substeps(step_s * FOLLOWED_HZ);
+        self.tune_steps(kernel, step_s);
+    }
+
     /// From now on something pushes it, and every mode may ring.
     fn begin_drive(&mut self) {
         self.driven = true;

@@ -89,6 +89,9 @@ impl Body {
             step_s,
         });
         self.tuned = Some(tuned);
+        if all {
+            self.stepped = 0;
+        }
         if moved > 0 {
             self.hear(moved, self.live == 0);
         }
@@ -98,7 +101,12 @@ impl Body {
         self.off
     }
 
+    /// Makes the steps in which the body moves while it is pushed, if they are not made.
     pub(super) fn tune_steps(&mut self, kernel: Kernel, sample_s: f64) {
+        if self.stepped == self.substeps {
+            return;
+        }
+        self.stepped = self.substeps;
         kernel.run(TuneSteps {
             tones: &self.tones,
             steps: &mut self.steps,

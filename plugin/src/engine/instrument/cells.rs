@@ -1,5 +1,6 @@
 //! What is looked at on the grid, and the sound of a cell.
 
+use super::ready::PREPARED;
 use super::{Engine, finish, keys};
 use crate::engine::GRID;
 use crate::engine::body::{Moved, Tuned};
@@ -43,8 +44,7 @@ impl Engine {
 
     /// What the modes of a key's body are tuned to now, `drain` being what drains all.
     pub(super) fn tuned(&self, key: u8, drain: &Drain) -> Tuned {
-        let slot = usize::from(key);
-        let hand = &self.hands[slot];
+        let hand = &self.hands[usize::from(key)];
         let has_felt = self.body(key).is_some_and(|body| body.has_felt);
         let felt = if self.settings.note_off_damps {
             hand.hold.felt
@@ -56,6 +56,12 @@ impl Engine {
         } else {
             Dampers::new(felt, has_felt)
         };
+        self.tuned_under(&on, key, drain)
+    }
+
+    /// The same under other dampers than those that are on it.
+    pub(super) fn tuned_under(&self, on: &Dampers, key: u8, drain: &Drain) -> Tuned {
+        let hand = &self.hands[usize::from(key)];
         let doppler = self.swung(key).0;
         Tuned {
             drain: Drain {
@@ -99,12 +105,15 @@ impl Engine {
         if self.awake | self.bowed == 0 {
             self.arrive();
             self.motor.advance(&self.glides.discs(), self.step_s);
+            self.prepare(PREPARED);
             return;
         }
-        if self.glides.advance() {
+        let glides = self.glides.advance();
+        if glides {
             self.moved();
         }
-        if self.motor.advance(&self.glides.discs(), self.step_s) {
+        let turns = self.motor.advance(&self.glides.discs(), self.step_s);
+        if turns {
             (self.stale, self.unheard) = (u128::MAX, u128::MAX);
         }
         self.gain = [self.gain[1], self.glides.gain()];
@@ -120,6 +129,10 @@ impl Engine {
         self.rest();
         self.rub();
         self.sympathise();
+        // What moves on would have it all to do again in the next cell.
+        if !glides && !turns {
+            self.prepare(PREPARED);
+        }
         self.ring();
     }
 
@@ -152,15 +165,12 @@ impl Engine {
         let joined = self.bodies.iter().flatten().count().max(1) as f64;
         let share = sympathy * self.glides.supports().min(1.0) * self.step_s / joined;
         for key in 0..128 {
-            let (tuned, hearing) = (self.tuned(key, &drain), self.hearing(key));
+            if self.awake & bit(key) == 0 {
+                self.fit(key, &drain);
+            }
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
             };
-            if self.awake & bit(key) == 0 {
-                body.trim(&self.trims, self.trims_number);
-                let moved = body.listen(&hearing);
-                body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
-            }
             body.answer(self.kernel, &all, share as f32);
         }
     }
@@ -262,6 +272,8 @@ impl Engine {
             if !body.settle(&mut self.packs) {
                 body.hush(&mut self.packs);
                 self.awake &= !bit(key);
+                // The next blow finds no felt on it.
+                self.stale |= bit(key);
             }
             if body.live != before {
                 self.arranged = None;

@@ -100,7 +100,8 @@ impl Engine {
         written
     }
 
-    /// What holds a key's body, as far as its modes have been told.
+    /// What holds a key's body, as far as its modes have been told; one that sleeps is told what a blow
+    /// would find.
     #[must_use]
     pub fn held(&self, key: u8) -> Held {
         let tuned = self.body(key).and_then(Body::tuned);

@@ -4,6 +4,7 @@ mod cells;
 mod glance;
 mod heir;
 mod playing;
+mod ready;
 
 pub use glance::{Held, Struck};
 
@@ -148,7 +149,7 @@ impl Engine {
         }
         let settings = Settings::default();
         let glides = Glides::new(&settings, step_s);
-        Self {
+        let mut engine = Self {
             bodies,
             packs: vec![Pack::STILL; packs],
             own: bank.damping,
@@ -181,7 +182,9 @@ impl Engine {
             trims: Trims::NONE,
             trims_number: 0,
             struck: None,
-        }
+        };
+        engine.prepare(usize::MAX);
+        engine
     }
 
     /// Back to silence and to the start of the song; settings stay.

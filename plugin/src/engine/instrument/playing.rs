@@ -80,16 +80,16 @@ impl Engine {
 
     /// Makes a body ready to be pushed from here on.
     pub(super) fn wake(&mut self, key: u8) {
-        let (tuned, hearing) = (self.tuned(key, &self.drain()), self.hearing(key));
+        let sleeps = self.awake & bit(key) == 0;
+        if sleeps {
+            self.fit(key, &self.drain());
+        }
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
             return;
         };
-        if self.awake & bit(key) == 0 {
+        if sleeps {
             self.awake |= bit(key);
             body.fading = Moved::NONE;
-            body.trim(&self.trims, self.trims_number);
-            let moved = body.listen(&hearing);
-            body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
         } else if self.driven & bit(key) == 0 {
             let phase = (self.position % GRID as u64) as usize;
             self.cell

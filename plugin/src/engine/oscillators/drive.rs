@@ -83,7 +83,7 @@ fn fall(x: f64) -> f64 {
     let part = -x.min(4.0) / 32.0;
     let mut sum = 1.0;
     for k in [10.0, 9.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0] {
-        sum = 1.0 + part / k * sum;
+        sum = 1.0 + part * (1.0 / k) * sum;
     }
     for _ in 0..5 {
         sum *= sum;

@@ -145,8 +145,9 @@ pub(crate) fn turned(angle: f64) -> (f64, f64) {
     let t = quarter * quarter;
     let (mut sin, mut cos) = (1.0, 1.0);
     for k in [16.0, 14.0, 12.0, 10.0, 8.0, 6.0, 4.0, 2.0] {
-        sin = 1.0 - t / (k * (k + 1.0)) * sin;
-        cos = 1.0 - t / (k * (k - 1.0)) * cos;
+        // The compiler works out the inverses: a division at every step would take the longest of all.
+        sin = 1.0 - t * (1.0 / (k * (k + 1.0))) * sin;
+        cos = 1.0 - t * (1.0 / (k * (k - 1.0))) * cos;
     }
     sin *= quarter;
     for _ in 0..2 {

@@ -1,0 +1,48 @@
+//! Bodies that sleep, made ready for a blow.
+
+use super::{Engine, keys};
+use crate::engine::body::Tuned;
+use crate::engine::damper::{Dampers, bit};
+use crate::engine::losses::Drain;
+
+/// Bodies asleep that are made ready in one cell.
+pub(super) const PREPARED: usize = 4;
+
+impl Engine {
+    /// Tunes a body to what holds now, at once; whether it is to be tuned once more when nothing moves.
+    pub(super) fn fit(&mut self, key: u8, drain: &Drain) -> bool {
+        let tuned = self.tuned(key, drain);
+        self.take_up(key, tuned)
+    }
+
+    fn take_up(&mut self, key: u8, tuned: Tuned) -> bool {
+        let hearing = self.hearing(key);
+        let Some(body) = self.bodies[usize::from(key)].as_mut() else {
+            return false;
+        };
+        body.trim(&self.trims, self.trims_number);
+        let moved = body.listen(&hearing);
+        body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s)
+    }
+
+    /// Tunes a few of the bodies that sleep, so that a chord finds them ready: `most` of them.
+    ///
+    /// A blow lifts felt and hand, so they are tuned as without. What is made so is what a blow would make, hence no sound tells whether this has been.
+    pub(super) fn prepare(&mut self, most: usize) {
+        let waiting = (self.stale | self.unheard) & !self.awake & !self.swinging;
+        if waiting == 0 {
+            return;
+        }
+        let drain = self.drain();
+        for key in keys(waiting).take(most) {
+            self.unheard &= !bit(key);
+            let tuned = self.tuned_under(&Dampers::OFF, key, &drain);
+            if !self.take_up(key, tuned) {
+                self.stale &= !bit(key);
+            }
+            if let Some(body) = self.bodies[usize::from(key)].as_mut() {
+                body.prepare(self.kernel, self.step_s);
+            }
+        }
+    }
+}
