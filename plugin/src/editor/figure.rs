@@ -1,7 +1,9 @@
 //! How a body is drawn: by its kind, from its strike line, and by its size.
 
+use super::flat::is_flat;
 use super::outline::{Outline, Outlines};
 use egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
+use modes::Family;
 use std::sync::Arc;
 
 /// What kind of body it is.
@@ -41,6 +43,24 @@ impl Kind {
         if z > x { Self::Tube } else { Self::Bar }
     }
 
+    /// A body's name for people.
+    pub(super) fn name_of(body: &modes::Body) -> &'static str {
+        let family = body.modes.first().map(|mode| mode.label.family);
+        match (Self::of(body), family) {
+            (Self::Other, Some(Family::Membrane)) => "membrane",
+            (Self::Other, Some(Family::Other)) if is_flat(body) => "membrane",
+            (Self::Other, Some(Family::Plate)) => "plate",
+            (Self::Other, Some(Family::Bending)) if is_flat(body) => {
+                if is_thread(body) {
+                    "string"
+                } else {
+                    "bar"
+                }
+            }
+            (kind, _) => kind.name(),
+        }
+    }
+
     /// Its name for people.
     pub(super) fn name(self) -> &'static str {
         match self {
@@ -60,6 +80,17 @@ impl Kind {
             Self::Other => ["one end", "the other end"],
         }
     }
+}
+
+/// Whether a flat body is a hundred times as long as wide.
+fn is_thread(body: &modes::Body) -> bool {
+    body.surface.as_ref().is_some_and(|surface| {
+        let widest = surface
+            .points_m
+            .iter()
+            .fold(0.0, |most: f32, p| most.max(p[1].abs()));
+        surface.length_m > 200.0 * f64::from(widest)
+    })
 }
 
 /// A body as it is drawn.
@@ -179,12 +210,22 @@ pub fn lay_out(bank: &modes::Bank, area: Rect, outlines: &mut Outlines) -> Vec<F
             let share = (body.length_m / longest) as f32;
             let middle = area.top() + if black { 0.5 } else { 1.5 } * rank;
             let outline = outlines.of(body);
+            let slender = outline.as_ref().filter(|own| own.is_slender());
             let (size, y) = match kind {
+                Kind::Other if slender.is_some() => {
+                    // As wide as they are, but wide enough to be hit.
+                    let high = (rank - 8.0) * share.max(0.15);
+                    let aspect = slender.map_or(0.0, |own| own.aspect());
+                    let wide = (high * aspect).clamp(0.16 * column, 0.74 * column);
+                    (vec2(wide, high), middle)
+                }
                 Kind::Bowl | Kind::Other => {
                     // Every other one stands farther back, so that there is room for larger ones; small
                     // ones are drawn larger than they are, so that they can be hit.
                     let back = if whites % 2.0 == 0.0 { 1.0 } else { -1.0 };
-                    let widest = (0.54 * rank).min(1.25 * column);
+                    // A corner needs more room than a circle.
+                    let room = if kind == Kind::Bowl { 0.54 } else { 0.4 };
+                    let widest = (room * rank).min(1.25 * column);
                     let sides = outline.as_ref().map_or(Vec2::splat(1.0), |own| own.size());
                     let size = widest * share.powf(0.6).max(0.3) * sides;
                     (size, middle + 0.21 * rank * back)
@@ -258,6 +299,17 @@ mod tests {
                 "{name}"
             );
         }
+    }
+
+    #[test]
+    fn bodies_are_called_by_their_names() {
+        let name = |bank: &str| {
+            let index = factory::BANKS.iter().position(|(other, _)| *other == bank);
+            Kind::name_of(&factory::bank(index.unwrap()).bodies[0])
+        };
+        let all = ["strings", "tines", "l-drums", "round-plates", "chimes"];
+        let names = ["string", "bar", "membrane", "plate", "tube"];
+        assert_eq!(all.map(name), names);
     }
 
     #[test]

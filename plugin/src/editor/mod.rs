@@ -10,6 +10,7 @@ mod choice;
 mod chosen;
 mod desk;
 mod figure;
+mod flat;
 mod frame;
 mod grid;
 mod handle;

@@ -1,6 +1,7 @@
 //! The outline of a body of any shape, as the row shows it, and where on it a click strikes.
 
 use super::figure::Kind;
+use super::flat::{boundary, is_flat, pieces};
 use super::solid::{Vector, cross, dot, unit};
 use super::view::first_axes;
 use egui::{Pos2, Rect, pos2, vec2};
@@ -10,17 +11,40 @@ use std::sync::Arc;
 /// A body's outline in a square from 0 to 1, its longer side filling it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
-    /// Corners, clockwise as seen on the screen.
-    hull: Vec<Pos2>,
+    /// Corners, clockwise as seen on the screen; around a body that is not flat, of its convex hull.
+    corners: Vec<Pos2>,
+    /// Convex pieces of it, as numbers of corners.
+    pieces: Vec<Vec<usize>>,
     /// Width over height.
     aspect: f32,
     /// Places of the strike grid that face the eye: where they are seen, along and across.
     spots: Vec<(Pos2, [f32; 2])>,
 }
 
+/// Greatest width over height of what is called slender.
+const SLENDER: f32 = 0.25;
+
+/// To the right, upwards and to the eye, for one who looks at a flat body from above, its longer side upright.
+fn from_above(surface: &Surface) -> [Vector; 3] {
+    let span = |axis: usize| {
+        let along = surface.points_m.iter().map(|point| point[axis]);
+        along.clone().fold(f32::MIN, f32::max) - along.fold(f32::MAX, f32::min)
+    };
+    if span(0) * SLENDER > span(1) {
+        [[0.0, -1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+    } else {
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    }
+}
+
 impl Outline {
     fn of(surface: &Surface, body: &Body) -> Self {
-        let [right, up, near] = first_axes(Kind::Other);
+        let flat = is_flat(body);
+        let [right, up, near] = if flat {
+            from_above(surface)
+        } else {
+            first_axes(Kind::Other)
+        };
         let seen = |point: Vector| pos2(dot(point, right), -dot(point, up));
         let points: Vec<Pos2> = surface.points_m.iter().map(|point| seen(*point)).collect();
         let area = Rect::from_points(&points);
@@ -36,11 +60,27 @@ impl Outline {
                 let at = seen(point.map(|x| (scale * x) as f32));
                 (even(at), grid.place(i).map(|x| x as f32))
             });
+        let even_points: Vec<Pos2> = points.into_iter().map(even).collect();
+        let around = flat
+            .then(|| boundary(surface, &even_points))
+            .flatten()
+            .unwrap_or_else(|| hull(even_points));
         Self {
             spots: spots.collect(),
-            hull: hull(points.into_iter().map(even).collect()),
+            pieces: pieces(&around),
+            corners: around,
             aspect: size.x / size.y,
         }
+    }
+
+    /// Whether it is several times as high as wide.
+    pub(super) fn is_slender(&self) -> bool {
+        self.aspect < SLENDER
+    }
+
+    /// Width over height.
+    pub(super) fn aspect(&self) -> f32 {
+        self.aspect
     }
 
     /// Width and height of a body whose longer side is 1.
@@ -50,16 +90,25 @@ impl Outline {
 
     /// Its corners in `rect`.
     pub(super) fn corners(&self, rect: Rect) -> Vec<Pos2> {
-        self.hull.iter().map(|at| within(rect, *at)).collect()
+        self.corners.iter().map(|at| within(rect, *at)).collect()
+    }
+
+    /// Corners in `rect` of convex pieces that cover it.
+    pub(super) fn pieces(&self, rect: Rect) -> impl Iterator<Item = Vec<Pos2>> {
+        let corner = move |number: &usize| within(rect, self.corners[*number]);
+        self.pieces
+            .iter()
+            .map(move |piece| piece.iter().map(corner).collect())
     }
 
     /// Whether a point is inside, or within `slack` points of it.
     pub(super) fn holds(&self, rect: Rect, at: Pos2, slack: f32) -> bool {
-        let corners = self.corners(rect);
-        let next = corners.iter().cycle().skip(1);
-        corners.iter().zip(next).all(|(a, b)| {
-            let along = (*b - *a).normalized();
-            along.x * (at.y - a.y) - along.y * (at.x - a.x) >= -slack
+        self.pieces(rect).any(|corners| {
+            let next = corners.iter().cycle().skip(1);
+            corners.iter().zip(next).all(|(a, b)| {
+                let along = (*b - *a).normalized();
+                along.x * (at.y - a.y) - along.y * (at.x - a.x) >= -slack
+            })
         })
     }
 
@@ -113,7 +162,7 @@ fn hull(mut points: Vec<Pos2>) -> Vec<Pos2> {
 }
 
 /// Above 0 if the way over `b` turns to the right on a screen.
-fn turn(a: Pos2, b: Pos2, c: Pos2) -> f32 {
+pub(super) fn turn(a: Pos2, b: Pos2, c: Pos2) -> f32 {
     let flat = |from: Pos2, to: Pos2| [to.x - from.x, to.y - from.y, 0.0];
     cross(flat(a, b), flat(a, c))[2]
 }

@@ -102,8 +102,11 @@ fn halo(painter: &Painter, figure: &Figure, colour: Color32, glow: f32) {
 
 fn other(painter: &Painter, figure: &Figure, fill: Color32, edge: Color32) {
     if let Some(outline) = &figure.outline {
+        for piece in outline.pieces(figure.rect) {
+            painter.add(Shape::convex_polygon(piece, fill, Stroke::NONE));
+        }
         let corners = outline.corners(figure.rect);
-        painter.add(Shape::convex_polygon(corners, fill, Stroke::new(1.0, edge)));
+        painter.add(Shape::closed_line(corners, Stroke::new(1.0, edge)));
     }
 }
 

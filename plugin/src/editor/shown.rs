@@ -85,9 +85,9 @@ impl Shown {
             } else {
                 format!("{long_m:.2} m")
             };
-            let across = match Kind::of(body) {
-                Kind::Bowl | Kind::Other => "across",
-                Kind::Bar | Kind::Tube => "long",
+            let across = match Kind::name_of(body) {
+                "bar" | "string" | "tube" => "long",
+                _ => "across",
             };
             let mass = if body.mass_kg < 1.0 {
                 format!("{:.0} g", 1e3 * body.mass_kg)
@@ -97,7 +97,7 @@ impl Shown {
             format!(
                 "{}: a {} {size} {across}, {mass}",
                 key_name(self.key),
-                Kind::of(body).name()
+                Kind::name_of(body)
             )
         })
     }
