@@ -3,9 +3,11 @@
 pub mod chime;
 mod exponentials;
 mod noise;
+mod storm;
 
 pub use exponentials::{Fit, Found, Partial, fit};
 pub use noise::Noise;
+pub use storm::{BOUND, random};
 
 use anyhow::{Context, Result};
 use std::env;

@@ -84,11 +84,16 @@ fn every_instrument_converges() {
 }
 
 #[test]
+fn shapes_of_van_den_doel_1998() {
+    hold("the shapes of van den Doel & Pai 1998");
+}
+
+#[test]
 fn factory_banks() {
     hold("the factory banks");
 }
 
 #[test]
 fn no_group_is_left_out() {
-    assert_eq!(GROUPS.len(), 14);
+    assert_eq!(GROUPS.len(), 15);
 }

@@ -52,7 +52,7 @@ pub const POISSON: Spec = Spec {
     name: "Poisson",
     tooltip: "Added to the material's Poisson's ratio: how much it narrows as it is stretched. Moves twisting \
               modes and those of shells against those that bend.",
-    ..Spec::number(Text::Fixed(""), 1.0, &POISSON_OFFSET, 0.0)
+    ..Spec::number(Text::Fixed("nu"), 1.0, &POISSON_OFFSET, 0.0)
 };
 
 pub(super) const SPECS: [Spec; 4] = [WALL, BREADTH, PROFILE, POISSON];

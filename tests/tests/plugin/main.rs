@@ -10,7 +10,6 @@ mod parameters;
 mod partials;
 mod playing;
 mod scan;
-mod session;
 mod silence;
 mod state;
 mod storm;

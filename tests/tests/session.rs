@@ -1,10 +1,11 @@
 //! A long session: whatever a musician and a host may do to one instance, for as long as one likes.
 //!
-//! `IDIOPHONE_SESSION_MINUTES=20 cargo test -p idiophone-tests --test plugin session -- --nocapture` plays
-//! the long one. Any allocation in `process` aborts it.
+//! `IDIOPHONE_SESSION_MINUTES=20 cargo test -p idiophone-tests --test session -- --nocapture` plays
+//! the long one. Any allocation in `process` aborts it. It has a process to itself, whose memory it measures.
 
-use super::storm::{BOUND, random};
-use idiophone_tests::{Noise, peak, plugin};
+#![expect(clippy::unwrap_used, reason = "tests fail by panicking")]
+
+use idiophone_tests::{BOUND, Noise, peak, plugin, random};
 use std::time::{Duration, Instant};
 use xtask::host::{Event, Param, ParamId, Plugin};
 
