@@ -1,6 +1,8 @@
 //! The sheet on which a mesh becomes an instrument.
 
 use crate::bench::Bench;
+use crate::looks::{USUAL, draw};
+use crate::picture::check;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use idiophone::shelf::Library;
@@ -97,4 +99,15 @@ fn a_mesh_that_is_refused_is_shown_with_its_reason() {
     wait(&mut harness, "a solid has at least four");
     open(&bench, &folder.path().join("nothing.obj"));
     wait(&mut harness, "cannot read the mesh");
+}
+
+#[test]
+fn the_sheet_looks_so() {
+    let bench = Bench::new("chimes");
+    let (_folder, file) = give(&bench);
+    let mut harness = bench.harness();
+    open(&bench, &file);
+    wait(&mut harness, "star.obj: ");
+    drop(harness);
+    check("mesh-sheet", &draw(&bench, USUAL, 1.0, None));
 }
