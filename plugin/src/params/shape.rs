@@ -1,8 +1,7 @@
 //! How the bodies are drawn, beside the recipe's drawing.
 
 use super::Spec;
-use super::build::{float, plain, share};
-use super::text::Text;
+use super::build::{float, share};
 use crate::maker::Drawing;
 use modes::Recipe;
 use nice_plug::prelude::{FloatParam, Params};
@@ -50,9 +49,9 @@ pub const PROFILE: Spec = Spec {
 pub const POISSON: Spec = Spec {
     id: "spois",
     name: "Poisson",
-    tooltip: "Added to the material's Poisson's ratio: how much it narrows as it is stretched. Moves twisting \
+    tooltip: "Added to the material's Poisson's ratio, in hundredths: how much it narrows as it is stretched. Moves twisting \
               modes and those of shells against those that bend.",
-    ..Spec::number(Text::Fixed("nu"), 1.0, &POISSON_OFFSET, 0.0)
+    ..Spec::percent(&POISSON_OFFSET, 0.0)
 };
 
 pub(super) const SPECS: [Spec; 4] = [WALL, BREADTH, PROFILE, POISSON];
@@ -93,7 +92,7 @@ impl Shape {
             wall: share(&self.wall) as f32,
             width: share(&self.breadth) as f32,
             profile: share(&self.profile) as f32,
-            poisson: plain(&self.poisson) as f32,
+            poisson: share(&self.poisson) as f32,
         }
     }
 }
