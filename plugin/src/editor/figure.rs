@@ -223,8 +223,9 @@ pub fn lay_out(bank: &modes::Bank, area: Rect, outlines: &mut Outlines) -> Vec<F
                     // Every other one stands farther back, so that there is room for larger ones; small
                     // ones are drawn larger than they are, so that they can be hit.
                     let back = if whites % 2.0 == 0.0 { 1.0 } else { -1.0 };
-                    // A corner needs more room than a circle.
-                    let room = if kind == Kind::Bowl { 0.54 } else { 0.4 };
+                    // A square's corners need more room than a circle.
+                    let square = outline.is_some() && is_flat(body);
+                    let room = if square { 0.4 } else { 0.54 };
                     let widest = (room * rank).min(1.25 * column);
                     let sides = outline.as_ref().map_or(Vec2::splat(1.0), |own| own.size());
                     let size = widest * share.powf(0.6).max(0.3) * sides;
