@@ -1,5 +1,6 @@
 //! From a recipe to a bank, all keys at once, and the folder where built banks are kept.
 
+mod bars;
 mod body;
 mod bowls;
 mod build;

@@ -228,7 +228,7 @@ impl Stage {
         let until = self.until_handover().unwrap_or(frames).min(frames);
         self.sound(&mut left[..until], &mut right[..until]);
         if self.until_handover() == Some(0) {
-            self.hand_over(self.rate_hz);
+            self.hand_over();
         }
         self.sound(&mut left[until..], &mut right[until..]);
     }

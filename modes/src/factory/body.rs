@@ -1,10 +1,11 @@
 //! One key's body: tuned and solved, by shape.
 
 use super::BuildError;
+use super::bars::Bars;
 use super::bowls::{Bowls, imperfection};
 use crate::bar::{
-    BarFineness, BarStock, BarTuneError, BarTuning, TunedBar, bar_modes, retune_bar, stretched,
-    tune_bar, vibraphone_ratios, vibraphone_stock,
+    BarFineness, BarStock, BarTuneError, BarTuning, TunedBar, bar_modes, retune_bar, tune_bar,
+    vibraphone_ratios, vibraphone_stock,
 };
 use crate::revolution::{Bell, LAYERS, SolvedWall};
 use crate::shape::{Bar, Tube};
@@ -28,25 +29,6 @@ enum Shape<'a> {
     Bar(Bars),
     /// Bowls, solved once and scaled to each key.
     Bowls(Box<Bowls<'a>>),
-}
-
-/// What bars are hollowed to.
-#[derive(Clone, Copy)]
-struct Bars {
-    /// The partials asked for; a vibraphone's without.
-    ratios: Option<[f64; 2]>,
-    /// Thickness and width of the stock over a vibraphone's.
-    times: [f64; 2],
-    /// How far the undercut stretches the partials.
-    undercut: f64,
-}
-
-impl Bars {
-    /// The second and third partial of the bar of `key`, as multiples of the first.
-    fn ratios(&self, key: u8) -> [f64; 2] {
-        let own = self.ratios.unwrap_or_else(|| vibraphone_ratios(key));
-        stretched(own, self.undercut)
-    }
 }
 
 /// Cells across half a bar's width and through its thickness: with two, bending 3 of a bar is right
@@ -113,7 +95,11 @@ impl<'a> Maker<'a> {
                     .map_err(|error| out_of_tune(recipe, recipe.keys.low, error))?;
                 Shape::Bowls(Box::new(bowls))
             }
-            ShapeRecipe::Closed(_) => unreachable!("bodies of closed form are not meshed"),
+            ShapeRecipe::Closed(_) => {
+                return Err(BuildError::Closed {
+                    recipe: recipe.name.clone(),
+                });
+            }
         };
         Ok(Self {
             recipe,

@@ -32,6 +32,12 @@ pub enum BuildError {
         /// Why not.
         error: SolveError,
     },
+    /// The body is known in closed form: there is nothing to mesh, and [`build`] alone makes its bank.
+    #[error("{recipe}: body.shape: it has a closed form, and no bodies to solve one at a time")]
+    Closed {
+        /// Name of the recipe.
+        recipe: String,
+    },
     /// The body has no mode within the mesh's frequencies.
     #[error("{recipe}: mesh.highest_hz: no mode lies below it")]
     Silent {

@@ -2,9 +2,9 @@
 
 use super::BuildError;
 use super::body::Maker;
-use super::sound::{ears_m, sounding};
+use super::sound::{self, Found, sounding};
 use crate::bar::TunedBar;
-use crate::{Bank, Body, CODE, Provenance, Recipe, SolvedBody};
+use crate::{Bank, Body, Recipe, SolvedBody};
 
 /// Makes the bodies of one recipe.
 pub struct Builder<'a>(Maker<'a>);
@@ -116,24 +116,14 @@ impl<'a> Builder<'a> {
         let residuals = finished
             .iter()
             .flat_map(|f| f.body.modes.iter().map(|mode| mode.residual));
-        Bank {
-            name: recipe.name.clone(),
-            title: recipe.title.clone(),
-            material: recipe.material,
-            damping: recipe.damping,
-            ears_m: ears_m(&recipe.listener),
-            provenance: Provenance {
-                recipe: recipe.text.clone(),
-                code: CODE.to_owned(),
-                mesh: self.0.mesh(),
-                solver: "shift-invert block Lanczos for each symmetry, inertia counts".into(),
-                tolerance_cents: recipe.tuning.tolerance_cents,
-                max_residual: residuals.fold(0.0, f64::max),
-                max_orthonormality_error: orthonormality.fold(0.0, f64::max),
-            },
-            bodies: finished.into_iter().map(|f| f.body).collect(),
-            spread: None,
-        }
+        let found = Found {
+            mesh: self.0.mesh(),
+            solver: "shift-invert block Lanczos for each symmetry, inertia counts",
+            residual: residuals.fold(0.0, f64::max),
+            orthonormality: orthonormality.fold(0.0, f64::max),
+        };
+        let bodies = finished.into_iter().map(|f| f.body).collect();
+        sound::bank(recipe, found, bodies, None)
     }
 }
 
@@ -166,5 +156,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn bodies_of_closed_form_are_refused() {
+        let (name, text) = Recipe::FACTORY
+            .iter()
+            .find(|(n, _)| *n == "strings")
+            .unwrap();
+        let recipe = Recipe::parse(text, name).unwrap();
+        let error = Builder::new(&recipe).err().unwrap().to_string();
+        assert!(error.starts_with("strings: body.shape: "), "{error}");
     }
 }

@@ -8,14 +8,14 @@ mod string;
 
 use super::BuildError;
 use super::body::band;
-use super::sound::{ears_m, sounding};
+use super::sound::{self, Found, sounding};
 use crate::analytic::{
     BarMode, CircularMembrane, ClampedPlate, ClosedMode, LMembrane, LSpectrum, RectangularMembrane,
     RigidBar,
 };
 use crate::bank::{Spread, SpreadRule, Surface, Zone};
 use crate::shape::{BarEnds, ClosedShape};
-use crate::{Bank, CODE, Provenance, Recipe, SolvedBody, equal_temperament_hz};
+use crate::{Bank, Recipe, SolvedBody, equal_temperament_hz};
 use board::through_board;
 use body::{Air, Flat};
 use grid::Grid;
@@ -54,32 +54,22 @@ pub(super) fn bank(recipe: &Recipe, shape: &ClosedShape) -> Result<Bank, BuildEr
         None,
     );
     body.surface = Some(Arc::new(picture));
-    Ok(Bank {
-        name: recipe.name.clone(),
-        title: recipe.title.clone(),
-        material: recipe.material,
-        damping: recipe.damping,
-        ears_m: ears_m(&recipe.listener),
-        provenance: Provenance {
-            recipe: recipe.text.clone(),
-            code: CODE.to_owned(),
-            mesh: "none: closed form".into(),
-            solver: solver(shape).into(),
-            tolerance_cents: recipe.tuning.tolerance_cents,
-            max_residual: 0.0,
-            max_orthonormality_error: 0.0,
-        },
-        bodies: vec![body],
-        spread: Some(Spread {
-            rule: SpreadRule::Size,
-            a4_hz: recipe.tuning.a4_hz,
-            zones: vec![Zone {
-                low: key,
-                high: recipe.keys.high,
-                tuned: 0,
-            }],
-        }),
-    })
+    let found = Found {
+        mesh: "none: closed form".to_owned(),
+        solver: solver(shape),
+        residual: 0.0,
+        orthonormality: 0.0,
+    };
+    let spread = Spread {
+        rule: SpreadRule::Size,
+        a4_hz: recipe.tuning.a4_hz,
+        zones: vec![Zone {
+            low: key,
+            high: recipe.keys.high,
+            tuned: 0,
+        }],
+    };
+    Ok(sound::bank(recipe, found, vec![body], Some(spread)))
 }
 
 fn solver(shape: &ClosedShape) -> &'static str {

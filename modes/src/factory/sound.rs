@@ -1,7 +1,11 @@
-//! From a solved body to one that is heard: ears, and what takes each mode's energy.
+//! From solved bodies to those that are heard, in a bank: ears, and what takes each mode's energy.
 
+use crate::bank::Spread;
 use crate::radiation::{Listener, Pipe, Transfers, coupling};
-use crate::{Body, ListenerRecipe, LossRecipe, Mode, ResonatorRecipe, SolvedBody};
+use crate::{
+    Bank, Body, CODE, ListenerRecipe, LossRecipe, Mode, Provenance, Recipe, ResonatorRecipe,
+    SolvedBody,
+};
 
 /// Distance between the ears, in m (O'Brien, Cook & Essl 2001, §4).
 const BETWEEN_EARS_M: f64 = 0.2;
@@ -10,6 +14,45 @@ const BETWEEN_EARS_M: f64 = 0.2;
 #[must_use]
 pub(crate) fn ears_m(recipe: &ListenerRecipe) -> [[f64; 3]; 2] {
     [-0.5, 0.5].map(|side| [side * BETWEEN_EARS_M, -recipe.distance_m, recipe.above_m])
+}
+
+/// How the bodies of a bank were found.
+pub(super) struct Found {
+    /// Mesh and element in words.
+    pub(super) mesh: String,
+    /// The method in words.
+    pub(super) solver: &'static str,
+    /// Largest relative residual of all modes.
+    pub(super) residual: f64,
+    /// Largest departure of all bodies from mass-orthonormality.
+    pub(super) orthonormality: f64,
+}
+
+/// The bank of a recipe's bodies.
+pub(super) fn bank(
+    recipe: &Recipe,
+    found: Found,
+    bodies: Vec<Body>,
+    spread: Option<Spread>,
+) -> Bank {
+    Bank {
+        name: recipe.name.clone(),
+        title: recipe.title.clone(),
+        material: recipe.material,
+        damping: recipe.damping,
+        ears_m: ears_m(&recipe.listener),
+        provenance: Provenance {
+            recipe: recipe.text.clone(),
+            code: CODE.to_owned(),
+            mesh: found.mesh,
+            solver: found.solver.to_owned(),
+            tolerance_cents: recipe.tuning.tolerance_cents,
+            max_residual: found.residual,
+            max_orthonormality_error: found.orthonormality,
+        },
+        bodies,
+        spread,
+    }
 }
 
 /// The body of `key` as the listener hears it from its `place` in the row, 0 leftmost to 1.

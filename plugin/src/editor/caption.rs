@@ -1,7 +1,7 @@
 //! What a first look is to tell: which object, where it was struck and with what, how long it rings and why.
 
 use super::card::causes;
-use super::figure::Kind;
+use super::kind::Kind;
 use super::ringing::{Ringing, hertz, seconds};
 use super::shown::Shown;
 use super::theme::{Theme, body, small};

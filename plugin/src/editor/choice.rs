@@ -39,13 +39,7 @@ pub(super) fn chooser(
     setter: &ParamSetter<'_>,
 ) -> Response {
     let steps = param.steps().unwrap_or(1);
-    let response = ui.interact(rect, Id::unique(("choice", param.spec.id)), Sense::click());
-    response.widget_info(|| WidgetInfo {
-        current_text_value: Some(param.text()),
-        ..WidgetInfo::labeled(egui::Role::ComboBox, true, param.spec.name)
-    });
-    paint(ui, rect, &param.text(), theme, font, &response);
-    menu(&response, param, None, setter);
+    let response = closed(ui, rect, (param, &param.text()), theme, font, setter);
     let mut wanted = None;
     Popup::menu(&response).width(rect.width()).show(|ui| {
         ui.set_min_width(rect.width());
@@ -72,6 +66,25 @@ pub(super) fn chooser(
     response
         .on_hover_cursor(CursorIcon::PointingHand)
         .on_hover_text(param.spec.tooltip)
+}
+
+/// The box while its list is shut, with what it says and its menu.
+pub(super) fn closed(
+    ui: &Ui,
+    rect: Rect,
+    (param, text): (&Param, &str),
+    theme: &Theme,
+    font: FontId,
+    setter: &ParamSetter<'_>,
+) -> Response {
+    let response = ui.interact(rect, Id::unique(("choice", param.spec.id)), Sense::click());
+    response.widget_info(|| WidgetInfo {
+        current_text_value: Some(text.to_owned()),
+        ..WidgetInfo::labeled(egui::Role::ComboBox, true, param.spec.name)
+    });
+    paint(ui, rect, text, theme, font, &response);
+    menu(&response, param, None, setter);
+    response
 }
 
 /// Names that keys or wheel go on by.
@@ -102,14 +115,7 @@ pub(super) fn stepped(ui: &Ui, response: &Response) -> f32 {
 }
 
 /// The box itself.
-pub(super) fn paint(
-    ui: &Ui,
-    rect: Rect,
-    text: &str,
-    theme: &Theme,
-    font: FontId,
-    response: &Response,
-) {
+fn paint(ui: &Ui, rect: Rect, text: &str, theme: &Theme, font: FontId, response: &Response) {
     let painter = ui.painter_at(rect);
     let edge = if response.has_focus() {
         theme.glow

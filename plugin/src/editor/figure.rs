@@ -1,97 +1,10 @@
 //! How a body is drawn: by its kind, from its strike line, and by its size.
 
 use super::flat::is_flat;
+use super::kind::Kind;
 use super::outline::{Outline, Outlines};
 use egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
-use modes::Family;
 use std::sync::Arc;
-
-/// What kind of body it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Lies, and is struck from above along its length.
-    Bar,
-    /// Hangs, and is struck from the side along its length.
-    Tube,
-    /// Stands, and is struck from the rim to the middle of its base.
-    Bowl,
-    /// Of any shape, and struck anywhere.
-    Other,
-}
-
-impl Kind {
-    /// That of a bank's body: one that is drawn is of any shape; of others a bowl's line turns, a tube's
-    /// runs upwards, a bar's along.
-    #[must_use]
-    pub fn of(body: &modes::Body) -> Self {
-        if body.surface.is_some() {
-            return Self::Other;
-        }
-        let (Some(first), Some(last)) = (body.line.points_m.first(), body.line.points_m.last())
-        else {
-            return Self::Bar;
-        };
-        let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let normals = &body.line.normals;
-        let turns = normals
-            .first()
-            .is_some_and(|a| normals.iter().any(|b| dot(a, b) < 0.9));
-        if turns {
-            return Self::Bowl;
-        }
-        let [x, _, z] = [0, 1, 2].map(|k| (last[k] - first[k]).abs());
-        if z > x { Self::Tube } else { Self::Bar }
-    }
-
-    /// A body's name for people.
-    pub(super) fn name_of(body: &modes::Body) -> &'static str {
-        let family = body.modes.first().map(|mode| mode.label.family);
-        match (Self::of(body), family) {
-            (Self::Other, Some(Family::Membrane)) => "membrane",
-            (Self::Other, Some(Family::Other)) if is_flat(body) => "membrane",
-            (Self::Other, Some(Family::Plate)) => "plate",
-            (Self::Other, Some(Family::Bending)) if is_flat(body) => {
-                if is_thread(body) {
-                    "string"
-                } else {
-                    "bar"
-                }
-            }
-            (kind, _) => kind.name(),
-        }
-    }
-
-    /// Its name for people.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Bar => "bar",
-            Self::Tube => "tube",
-            Self::Bowl => "bowl",
-            Self::Other => "body",
-        }
-    }
-
-    /// Where 0 and 1 of its line are.
-    pub(super) fn ends(self) -> [&'static str; 2] {
-        match self {
-            Self::Bar => ["the middle", "an end"],
-            Self::Tube => ["the upper end", "the lower end"],
-            Self::Bowl => ["the rim", "the middle"],
-            Self::Other => ["one end", "the other end"],
-        }
-    }
-}
-
-/// Whether a flat body is a hundred times as long as wide.
-fn is_thread(body: &modes::Body) -> bool {
-    body.surface.as_ref().is_some_and(|surface| {
-        let widest = surface
-            .points_m
-            .iter()
-            .fold(0.0, |most: f32, p| most.max(p[1].abs()));
-        surface.length_m > 200.0 * f64::from(widest)
-    })
-}
 
 /// A body as it is drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -282,35 +195,6 @@ mod tests {
 
     fn area() -> Rect {
         Rect::from_min_size(pos2(10.0, 20.0), vec2(900.0, 200.0))
-    }
-
-    #[test]
-    fn kinds_are_those_of_the_recipes() {
-        for (name, kind) in [
-            ("chimes", Kind::Tube),
-            ("tubular-bells", Kind::Tube),
-            ("vibraphone", Kind::Bar),
-            ("singing-bowls", Kind::Bowl),
-            ("oak-bowls", Kind::Bowl),
-        ] {
-            let index = factory::BANKS.iter().position(|(other, _)| *other == name);
-            let bank = factory::bank(index.unwrap());
-            assert!(
-                bank.bodies.iter().all(|body| Kind::of(body) == kind),
-                "{name}"
-            );
-        }
-    }
-
-    #[test]
-    fn bodies_are_called_by_their_names() {
-        let name = |bank: &str| {
-            let index = factory::BANKS.iter().position(|(other, _)| *other == bank);
-            Kind::name_of(&factory::bank(index.unwrap()).bodies[0])
-        };
-        let all = ["strings", "tines", "l-drums", "round-plates", "chimes"];
-        let names = ["string", "bar", "membrane", "plate", "tube"];
-        assert_eq!(all.map(name), names);
     }
 
     #[test]

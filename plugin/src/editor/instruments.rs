@@ -1,7 +1,6 @@
 //! The list of instruments: the factory's, those in the user's folder, and ways to bring more.
 
-use super::choice::{paint, place, stepped};
-use super::menu::menu;
+use super::choice::{closed, place, stepped};
 use super::param::Param;
 use super::sheet::{News, Sheet, is_mesh};
 use super::theme::{Theme, small};
@@ -10,8 +9,7 @@ use crate::params::Controls;
 use crate::shelf::{Librarian, Library, OWN, Said};
 use crate::user_folder;
 use egui::{
-    Button, CursorIcon, FontId, Id, OpenUrl, Popup, Rect, Response, RichText, ScrollArea, Sense,
-    Ui, WidgetInfo, vec2,
+    Button, CursorIcon, FontId, OpenUrl, Popup, Rect, Response, RichText, ScrollArea, Ui, vec2,
 };
 use nice_plug::prelude::ParamSetter;
 use std::path::PathBuf;
@@ -174,18 +172,12 @@ impl Instruments {
         setter: &ParamSetter<'_>,
     ) -> Response {
         let steps = param.steps().unwrap_or(1);
-        let response = ui.interact(rect, Id::unique(("choice", param.spec.id)), Sense::click());
         let own = self.controls.shelf().own();
         let text = match &own {
             Some(own) if self.controls.body.index() == OWN => own.title(),
             _ => param.text(),
         };
-        response.widget_info(|| WidgetInfo {
-            current_text_value: Some(text.clone()),
-            ..WidgetInfo::labeled(egui::Role::ComboBox, true, param.spec.name)
-        });
-        paint(ui, rect, &text, theme, font, &response);
-        menu(&response, param, None, setter);
+        let response = closed(ui, rect, (param, &text), theme, font, setter);
         let mut wanted = None;
         let wide = rect.width().max(LIST);
         Popup::menu(&response).width(wide).show(|ui| {

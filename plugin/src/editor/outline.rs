@@ -1,7 +1,7 @@
 //! The outline of a body of any shape, as the row shows it, and where on it a click strikes.
 
-use super::figure::Kind;
 use super::flat::{boundary, is_flat, pieces};
+use super::kind::Kind;
 use super::solid::{Vector, cross, dot, unit};
 use super::view::first_axes;
 use egui::{Pos2, Rect, pos2, vec2};

@@ -1,6 +1,7 @@
 //! One body: its shape and material, how much it rings, and where it was struck.
 
-use super::figure::{Figure, Kind, is_black, tint};
+use super::figure::{Figure, is_black, tint};
+use super::kind::Kind;
 use super::theme::Theme;
 use egui::epaint::RectShape;
 use egui::{Color32, CornerRadius, Painter, Rect, Shape, Stroke, StrokeKind, pos2, vec2};

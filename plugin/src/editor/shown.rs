@@ -1,7 +1,8 @@
 //! The body whose partials are shown.
 
-use super::figure::{Kind, key_name};
+use super::figure::key_name;
 use super::frame::Frame;
+use super::kind::{Kind, Noun};
 use crate::engine::Partial;
 use crate::shelf::Shelved;
 
@@ -85,20 +86,13 @@ impl Shown {
             } else {
                 format!("{long_m:.2} m")
             };
-            let across = match Kind::name_of(body) {
-                "bar" | "string" | "tube" => "long",
-                _ => "across",
-            };
+            let Noun { name, measured } = Noun::of(body);
             let mass = if body.mass_kg < 1.0 {
                 format!("{:.0} g", 1e3 * body.mass_kg)
             } else {
                 format!("{:.2} kg", body.mass_kg)
             };
-            format!(
-                "{}: a {} {size} {across}, {mass}",
-                key_name(self.key),
-                Kind::name_of(body)
-            )
+            format!("{}: a {name} {size} {measured}, {mass}", key_name(self.key))
         })
     }
 }

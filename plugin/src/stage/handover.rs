@@ -102,14 +102,14 @@ impl Stage {
     }
 
     /// Lets the new drawing take over, at a point of the grid.
-    pub(super) fn hand_over(&mut self, rate_hz: f64) {
+    pub(super) fn hand_over(&mut self) {
         let Some((_, mut engine)) = self.handover.next.take() else {
             return;
         };
         engine.set_trims(&self.trims);
         engine.inherit(&self.present.engine);
         #[expect(clippy::cast_sign_loss, reason = "a rate is no less than nothing")]
-        let all = (FADE_S * rate_hz).round() as usize;
+        let all = (FADE_S * self.rate_hz).round() as usize;
         self.handover.last = Some(Fading {
             engine: std::mem::replace(&mut self.present.engine, engine),
             left: all,

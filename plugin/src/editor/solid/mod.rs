@@ -14,7 +14,7 @@ pub use space::Vector;
 pub(crate) use space::{add, between, cross, dot, unit};
 pub use struck::Place;
 
-use super::figure::Kind;
+use super::kind::Kind;
 use crate::engine::Partial;
 use beam::Beam;
 use drawn::Given;

@@ -1,6 +1,6 @@
 //! Tubes and bowls: a profile turned about the z axis.
 
-use super::super::figure::Kind;
+use super::super::kind::Kind;
 use super::{Skin, Vector};
 use modes::Material;
 use std::f64::consts::{PI, TAU};

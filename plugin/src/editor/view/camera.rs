@@ -1,6 +1,6 @@
 //! From which side a body is looked at.
 
-use super::super::figure::Kind;
+use super::super::kind::Kind;
 use super::super::solid::{Solid, Vector, add, dot};
 use egui::{Pos2, Rect, Vec2, pos2};
 

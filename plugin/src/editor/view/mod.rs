@@ -12,9 +12,10 @@ mod sway;
 pub use portrait::{Paint, Portrait, Swinging};
 
 use super::caption::{CAPTION, Told, caption, place};
-use super::figure::{Kind, key_name, tint};
+use super::figure::{key_name, tint};
 use super::frame::Frame;
 use super::hold::Hold;
+use super::kind::Kind;
 use super::link::Link;
 use super::param::Param;
 use super::shown::Shown;

@@ -1,6 +1,6 @@
 //! A body drawn: from its surface and how its modes swing to triangles on the screen.
 
-use super::super::figure::Kind;
+use super::super::kind::Kind;
 use super::super::solid::{Place, Solid, Vector, add};
 use super::camera::{Camera, Lens};
 use super::nodal::nodal_lines;

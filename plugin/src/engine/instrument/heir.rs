@@ -38,15 +38,15 @@ impl Engine {
         (self.stale, self.unheard) = (u128::MAX, u128::MAX);
         let drain = self.drain();
         for key in keys(old.awake) {
-            let (tuned, hearing) = (self.tuned(key, &drain), self.hearing(key));
+            if let Some(body) = self.bodies[usize::from(key)].as_mut() {
+                body.fading = Moved::NONE;
+            }
+            self.fit(key, &drain);
             let theirs = old.body(key);
             let (Some(body), Some(theirs)) = (self.bodies[usize::from(key)].as_mut(), theirs)
             else {
                 continue;
             };
-            body.fading = Moved::NONE;
-            let moved = body.listen(&hearing);
-            body.tune(self.kernel, &mut self.packs, (tuned, moved), self.step_s);
             let how = (self.kernel, self.step_s);
             body.inherit(how, &mut self.packs, (theirs, &old.packs));
             self.awake |= bit(key);
