@@ -122,10 +122,10 @@ fn a_turning_knob_makes_no_click_and_is_followed() {
             "{number}: {count} drawings in {SECONDS} s, {worst} times the jerk, a block in {longest_s} s at most, \
              at the end {low} times as loud"
         );
-        // Whatever else the machine does; alone it draws eight a second.
-        assert!(count as f64 >= 2.0 * SECONDS, "{number}: {count}");
+        // On two idle cores it is eleven a second and more.
+        assert!(count as f64 >= 5.0 * SECONDS, "{number}: {count}");
         assert!(low > 0.1, "{number}: what rang goes on: {low}");
-        assert!(worst < 4.0, "{number}: {worst}");
+        assert!(worst < 3.0, "{number}: {worst}");
     }
 }
 
