@@ -250,6 +250,7 @@ fn a_tail_is_told_while_something_rings() {
     assert!(rest.iter().all(|sample| sample.abs() < 2e-5));
 }
 
+#[cfg(feature = "gui")]
 #[test]
 fn trims_reach_what_rings_and_instruments_that_come_later() {
     let mut player = player();
