@@ -3,8 +3,11 @@
 mod air;
 mod beam;
 mod body;
+mod dimensions;
+mod miss;
 mod quarter;
 mod ratios;
+mod reach;
 #[cfg(test)]
 mod tests;
 mod tune;

@@ -229,3 +229,47 @@ fn the_highest_bars_can_be_turned_a_little_either_way() {
         }
     }
 }
+
+/// Beams tell little of bars that are thick beside their length or hollowed deeply.
+#[test]
+fn bars_that_are_no_beams_are_found_near_where_beams_lead() {
+    for (key, thicker, undercut) in [(78, 1.5, 0.0), (72, 2.0, 0.0), (78, 1.0, 1.0)] {
+        let own = vibraphone_stock(key);
+        let stock = BarStock {
+            length_m: f64::sqrt(thicker) * own.length_m,
+            thickness_m: thicker * own.thickness_m,
+            ..own
+        };
+        let tuning = BarTuning {
+            pitch_hz: equal_temperament_hz(key, 440.0),
+            ratios: stretched(vibraphone_ratios(key), undercut),
+            tolerance_cents: 1.0,
+        };
+        let fineness = BarFineness {
+            max_element_m: 0.007,
+            across: 3,
+            through: 2,
+        };
+        let tuned = tune_bar(&stock, &aluminium(), fineness, &tuning).unwrap();
+        let hz = bar_partials(&tuned.bar, &aluminium(), fineness)
+            .unwrap()
+            .bending_hz;
+        for (hz, ratio) in hz
+            .into_iter()
+            .zip([1.0, tuning.ratios[0], tuning.ratios[1]])
+        {
+            let cents = 1200.0 * (hz / (ratio * tuning.pitch_hz)).log2();
+            assert!(cents.abs() < 1.1, "{key}: {cents}");
+        }
+        let shorter = tuned.bar.length_m / stock.length_m;
+        assert!((0.8..1.0).contains(&shorter), "{key}: {shorter}");
+        // The next is found from it.
+        let tuning = BarTuning {
+            pitch_hz: 1.01 * tuning.pitch_hz,
+            ..tuning
+        };
+        let next = retune_bar(&tuned, &stock, &aluminium(), fineness, &tuning).unwrap();
+        let moved = next.bar.length_m / tuned.bar.length_m;
+        assert!((moved - 1.0).abs() < 0.03, "{key}: {moved}");
+    }
+}

@@ -14,6 +14,17 @@ pub struct BarGrid {
     pub through: usize,
 }
 
+impl BarGrid {
+    /// Cells about twice as long and wide.
+    pub(crate) fn coarse(self) -> Self {
+        Self {
+            along: self.along.div_ceil(2),
+            across: self.across.div_ceil(2),
+            through: self.through,
+        }
+    }
+}
+
 /// How much of a bar is meshed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BarPart {
