@@ -6,6 +6,9 @@ mod check_surface;
 mod error;
 mod file;
 mod format;
+#[cfg(test)]
+mod kit_tests;
+mod matter;
 mod mirror;
 mod read;
 #[cfg(test)]
@@ -21,6 +24,7 @@ mod tests;
 mod write;
 
 pub use error::{BankError, BankFileError};
+pub use matter::Matter;
 pub use spread::{Spread, SpreadRule, Zone};
 pub use surface::{Surface, SurfaceMotion};
 
@@ -28,14 +32,14 @@ use crate::{Damping, Material, ModeLabel, ModeShape, StrikeLine};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// One instrument: a body for each key, all of one material.
+/// One instrument: a body for each key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bank {
     /// Name of the instrument, fit for a file.
     pub name: String,
     /// Name of the instrument for people.
     pub title: String,
-    /// What the bodies are made of.
+    /// What the bodies are made of, but for those that say otherwise ([`Body::matter`]).
     pub material: Material,
     /// Inner damping of the material; what the air, the supports and the felt take is said mode by
     /// mode.
@@ -83,6 +87,8 @@ pub struct Body {
     pub length_m: f64,
     /// Mass, in kg.
     pub mass_kg: f64,
+    /// What it is made of; without, what the bank says.
+    pub matter: Option<Matter>,
     /// Where it is struck.
     pub line: StrikeLine,
     /// What it looks like, and how it moves; shared with the other keys of one drawing.

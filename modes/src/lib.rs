@@ -49,8 +49,8 @@ pub mod tube;
 pub mod tuning;
 
 pub use bank::{
-    Bank, BankError, BankFileError, Body, Ears, Mode, Provenance, Spread, SpreadRule, Surface,
-    SurfaceMotion, Zone,
+    Bank, BankError, BankFileError, Body, Ears, Matter, Mode, Provenance, Spread, SpreadRule,
+    Surface, SurfaceMotion, Zone,
 };
 pub use code::CODE;
 pub use damping::{Damping, Motion, Rayleigh, t60_s};

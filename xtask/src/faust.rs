@@ -16,12 +16,13 @@ const QUIET_DB: f64 = -100.0;
 /// blow at `position` along the body and `across` it would, its modes' frequencies, T60 and gains as lists.
 pub(crate) fn program(bank: &Bank, body: &Body, [position, across]: [f64; 2]) -> Result<String> {
     let spot = [position, across];
+    let damping = bank.matter_of(body).damping;
     let mut modes: Vec<[f64; 3]> = body
         .modes
         .iter()
         .filter(|mode| mode.hz <= HIGHEST_HZ)
         .map(|mode| {
-            let decay_per_s = mode.decay_per_s(&bank.damping);
+            let decay_per_s = mode.decay_per_s(&damping);
             [mode.hz, t60_s(decay_per_s), pressure_pa(body, mode, spot)]
         })
         .collect();
@@ -116,6 +117,7 @@ mod tests {
                 pitch_hz: 440.0,
                 length_m: 0.3,
                 mass_kg: 0.1,
+                matter: None,
                 line: StrikeLine::single(vec![[0.0; 3]; 8], vec![[0.0, 0.0, 1.0]; 8]),
                 surface: None,
                 modes: vec![mode(440.0, 1.0), mode(1000.0, -0.5), mode(30_000.0, 1.0)],

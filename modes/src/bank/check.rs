@@ -1,7 +1,7 @@
 //! Whether a bank is one that can be played.
 
 use super::check_surface::check_surface;
-use super::{Bank, BankError, Body, Mode};
+use super::{Bank, BankError, Body, Matter, Mode};
 use crate::{Stencil, StrikeLine};
 
 /// Bounds beyond anything that can be struck, within which single precision stays finite.
@@ -17,13 +17,7 @@ impl Bank {
     ///
     /// [`BankError::Inconsistent`], with the first field that is not.
     pub fn check(&self) -> Result<(), BankError> {
-        self.material.check().map_err(|error| {
-            BankError::inconsistent("material", error, "that of an elastic solid")
-        })?;
-        let damping = &self.damping;
-        not_negative("alpha1_s", damping.rayleigh.alpha1_s)?;
-        not_negative("alpha2_per_s", damping.rayleigh.alpha2_per_s)?;
-        not_negative("loss_factor", damping.loss_factor)?;
+        check_matter(&self.matter())?;
         if let Some(x) = self.ears_m.iter().flatten().find(|x| !x.is_finite()) {
             return Err(BankError::inconsistent("ears_m", x, "finite"));
         }
@@ -54,6 +48,7 @@ pub(super) fn check_body(body: &Body) -> Result<(), BankError> {
     positive("pitch_hz", body.pitch_hz)?;
     positive("length_m", body.length_m)?;
     positive("mass_kg", body.mass_kg)?;
+    body.matter.as_ref().map_or(Ok(()), check_matter)?;
     check_line(&body.line)?;
     if let Some(surface) = &body.surface {
         check_surface(surface)?;
@@ -65,6 +60,16 @@ pub(super) fn check_body(body: &Body) -> Result<(), BankError> {
         least_hz = mode.hz;
     }
     Ok(())
+}
+
+fn check_matter(matter: &Matter) -> Result<(), BankError> {
+    let Matter { material, damping } = matter;
+    material
+        .check()
+        .map_err(|error| BankError::inconsistent("material", error, "that of an elastic solid"))?;
+    not_negative("alpha1_s", damping.rayleigh.alpha1_s)?;
+    not_negative("alpha2_per_s", damping.rayleigh.alpha2_per_s)?;
+    not_negative("loss_factor", damping.loss_factor)
 }
 
 fn check_line(line: &StrikeLine) -> Result<(), BankError> {

@@ -35,7 +35,7 @@ impl Bank {
         }
         for (body, zone) in self.bodies.iter().zip(&spread.zones) {
             for key in zone.low..=zone.high {
-                check_body(&spread.body(body, *zone, key))
+                check_body(&spread.body(self.matter_of(body), body, *zone, key))
                     .map_err(|error| error.within(format!("key {key}")))?;
             }
         }

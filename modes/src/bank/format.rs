@@ -10,18 +10,19 @@
 //! | 28… | [`Header`] as JSON |
 //! | then | a section for each body, holding [`ARRAYS`] one after the other |
 //!
-//! Version 2 is the same without rows, surfaces and spread.
+//! Version 3 is the same without bodies of their own matter and zones of their own rule, version 2 also
+//! without rows, surfaces and spread.
 //!
 //! Numbers are little-endian. The first 24 bytes stay as they are in every version.
 
-use super::{Provenance, Spread};
+use super::{Matter, Provenance, Spread};
 use crate::{Damping, Family, Material, Member};
 use serde::{Deserialize, Serialize};
 
 /// Starts every bank. The bytes around the letters show a file that was mangled as text.
 pub(super) const MAGIC: [u8; 8] = *b"\x89IDBK\r\n\x1a";
 /// The version written, and the newest read.
-pub(super) const VERSION: u32 = 3;
+pub(super) const VERSION: u32 = 4;
 /// The oldest version read.
 pub(super) const OLDEST: u32 = 2;
 /// Bytes up to and with the checksum.
@@ -60,6 +61,8 @@ pub(super) struct BodyEntry {
     pub(super) pitch_hz: f64,
     pub(super) length_m: f64,
     pub(super) mass_kg: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) matter: Option<Matter>,
     pub(super) modes: u64,
     pub(super) points: u64,
     #[serde(default = "one")]
@@ -86,10 +89,19 @@ pub(super) struct SurfaceEntry {
 }
 
 impl Header {
-    /// Whether it has what version 2 did not.
-    pub(super) fn is_newer_than_2(&self) -> bool {
-        let newer = |body: &BodyEntry| body.rows != 1 || body.closed || body.surface.is_some();
-        self.spread.is_some() || self.bodies.iter().any(newer)
+    /// The oldest version that has all that is in it.
+    pub(super) fn needs(&self) -> u32 {
+        let ruled = |spread: &Spread| spread.zones.iter().any(|zone| zone.rule.is_some());
+        if self.spread.as_ref().is_some_and(ruled)
+            || self.bodies.iter().any(|body| body.matter.is_some())
+        {
+            return 4;
+        }
+        let grid = |body: &BodyEntry| body.rows != 1 || body.closed || body.surface.is_some();
+        if self.spread.is_some() || self.bodies.iter().any(grid) {
+            return 3;
+        }
+        OLDEST
     }
 }
 

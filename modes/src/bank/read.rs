@@ -53,8 +53,10 @@ impl Bank {
                 .collect();
             BankError::inconsistent("header", line, "as this version writes it")
         })?;
-        let newer = version == OLDEST && header.is_newer_than_2();
-        if newer || header.format != FORMAT || header.arrays != described_arrays(version) {
+        if version < header.needs()
+            || header.format != FORMAT
+            || header.arrays != described_arrays(version)
+        {
             return Err(BankError::inconsistent(
                 "header",
                 "a description of another layout",
@@ -170,6 +172,7 @@ fn read_body(entry: &BodyEntry, sections: &mut Reader) -> Result<Body, BankError
         pitch_hz: entry.pitch_hz,
         length_m: entry.length_m,
         mass_kg: entry.mass_kg,
+        matter: entry.matter,
         line,
         surface: surface.transpose()?,
         modes,

@@ -85,6 +85,7 @@ pub(super) fn grid_bank() -> Bank {
                 low: 48,
                 high: 84,
                 tuned: 1,
+                rule: None,
             }],
         }),
         ..bank()
@@ -97,6 +98,7 @@ fn body(key: u8, modes: Vec<Mode>) -> Body {
         pitch_hz: 440.0 * f64::from(key),
         length_m: 0.1 + 0.2,
         mass_kg: 1.0 / 3.0,
+        matter: None,
         line: StrikeLine::single(
             (0..6).map(|i| [0.0125, 0.0, f64::from(i) / 7.0]).collect(),
             vec![[1.0, 0.0, 0.0]; 6],

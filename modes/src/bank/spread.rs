@@ -1,6 +1,6 @@
 //! One body, many keys: what is solved once is scaled to each key by exact laws.
 
-use super::{Bank, Body, Ears, Mode};
+use super::{Bank, Body, Ears, Matter, Mode};
 use crate::equal_temperament_hz;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -12,7 +12,7 @@ const HIGHEST_HZ: f64 = 20_000.0;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Spread {
-    /// What changes from key to key.
+    /// What changes from key to key, but in zones that say otherwise ([`Zone::rule`]).
     pub rule: SpreadRule,
     /// Pitch of key 69, in Hz.
     pub a4_hz: f64,
@@ -44,6 +44,9 @@ pub struct Zone {
     pub high: u8,
     /// Which mode carries the pitch, counted from 0.
     pub tuned: u32,
+    /// What changes from key to key; without, what the spread says.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rule: Option<SpreadRule>,
 }
 
 /// What the fields of a body and its modes are multiplied by.
@@ -118,6 +121,25 @@ impl SpreadRule {
     }
 }
 
+/// `matter` changed by `rule` so that frequencies are multiplied by `ratio` (O'Brien 2002 §3.3); none
+/// if it is the same stuff.
+fn changed(rule: SpreadRule, matter: Matter, ratio: f64) -> Option<Matter> {
+    let Matter {
+        mut material,
+        damping,
+    } = matter;
+    let square = ratio * ratio;
+    match rule {
+        SpreadRule::Size | SpreadRule::Fixed => return None,
+        SpreadRule::Density => material.density_kg_m3 /= square,
+        SpreadRule::Stiffness => {
+            material.lambda_pa *= square;
+            material.mu_pa *= square;
+        }
+    }
+    Some(Matter { material, damping })
+}
+
 impl Bank {
     /// The bank with a body of its own for each key that [`Bank::spread`] gives it: what engines play.
     /// Modes that come to lie above 20 kHz are left out. A bank without a spread is as it was.
@@ -131,8 +153,8 @@ impl Bank {
         let zones = self.bodies.iter().zip(&spread.zones);
         self.bodies = zones
             .flat_map(|(body, zone)| {
-                let spread = &spread;
-                (zone.low..=zone.high).map(move |key| spread.body(body, *zone, key))
+                let (spread, matter) = (&spread, self.matter_of(body));
+                (zone.low..=zone.high).map(move |key| spread.body(matter, body, *zone, key))
             })
             .collect();
         self
@@ -140,24 +162,25 @@ impl Bank {
 }
 
 impl Spread {
-    /// `body` as it is at `key`.
-    pub(super) fn body(&self, body: &Body, zone: Zone, key: u8) -> Body {
+    /// `body`, which is of that matter, as it is at `key`.
+    pub(super) fn body(&self, matter: Matter, body: &Body, zone: Zone, key: u8) -> Body {
+        let rule = zone.rule.unwrap_or(self.rule);
         let tuned_hz = body.modes.get(zone.tuned as usize).map(|mode| mode.hz);
-        let (pitch_hz, ratio) = match (self.rule, tuned_hz) {
+        let (pitch_hz, ratio) = match (rule, tuned_hz) {
             (SpreadRule::Fixed, _) | (_, None) => (body.pitch_hz, 1.0),
             (_, Some(tuned_hz)) => {
                 let pitch_hz = equal_temperament_hz(key, self.a4_hz);
                 (pitch_hz, pitch_hz / tuned_hz)
             }
         };
-        let factors = self.rule.factors(ratio);
-        let audible =
-            |mode: &&Mode| self.rule == SpreadRule::Fixed || mode.hz * ratio <= HIGHEST_HZ;
+        let factors = rule.factors(ratio);
+        let audible = |mode: &&Mode| rule == SpreadRule::Fixed || mode.hz * ratio <= HIGHEST_HZ;
         Body {
             key,
             pitch_hz,
             length_m: factors.length * body.length_m,
             mass_kg: factors.mass * body.mass_kg,
+            matter: changed(rule, matter, ratio).or(body.matter),
             line: body.line.scaled(factors.length),
             surface: body.surface.as_ref().map(Arc::clone),
             modes: body

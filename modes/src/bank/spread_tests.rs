@@ -168,6 +168,7 @@ fn zones_follow_each_other() {
         low,
         high: 96,
         tuned: 0,
+        rule: None,
     };
     bank.spread.as_mut().unwrap().zones.push(zone(85));
     assert_eq!(bank.check(), Ok(()));

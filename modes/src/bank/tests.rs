@@ -1,6 +1,6 @@
 //! Banks come back as they were, and nothing else comes back at all.
 
-use super::format::{CHECKSUM_AT, PRELUDE_LEN, checksum};
+use super::format::{CHECKSUM_AT, PRELUDE_LEN, VERSION, checksum};
 use super::sample::bank;
 use super::{Bank, BankError};
 use crate::Rayleigh;
@@ -190,13 +190,14 @@ fn changed_bytes_under_a_good_checksum_do_not_panic() {
 #[test]
 fn versions_to_come_are_told_from_damage() {
     let mut file = bank().write();
-    file[8] = 4;
+    let newer = VERSION + 1;
+    file[8..12].copy_from_slice(&newer.to_le_bytes());
     assert_eq!(Bank::read(&file).err(), Some(BankError::Corrupted));
     assert_eq!(
         Bank::read(&seal(file.clone())).err(),
         Some(BankError::FutureVersion {
-            found: 4,
-            newest: 3
+            found: newer,
+            newest: VERSION
         })
     );
     file[8] = 1;

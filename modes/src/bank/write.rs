@@ -5,7 +5,7 @@ use super::format::{
     SURFACE_LENS, SurfaceEntry, VERSION, checksum, described_arrays, family_number, member_number,
 };
 use super::mirror::Stored;
-use super::{Bank, Body, Mode, Spread, Surface};
+use super::{Bank, Body, Matter, Mode, Spread, Surface};
 use crate::{Damping, Material, Provenance, Rayleigh};
 
 impl Bank {
@@ -45,6 +45,7 @@ impl Bank {
                 pitch_hz: plain(body.pitch_hz),
                 length_m: plain(body.length_m),
                 mass_kg: plain(body.mass_kg),
+                matter: body.matter.map(plain_matter),
                 modes: body.modes.len() as u64,
                 points: body.line.len() as u64,
                 rows: body.line.rows as u64,
@@ -54,22 +55,13 @@ impl Bank {
             });
             offset += section_len(body);
         }
+        let matter = plain_matter(self.matter());
         Header {
             format: FORMAT.to_owned(),
             name: self.name.clone(),
             title: self.title.clone(),
-            material: Material {
-                lambda_pa: plain(self.material.lambda_pa),
-                mu_pa: plain(self.material.mu_pa),
-                density_kg_m3: plain(self.material.density_kg_m3),
-            },
-            damping: Damping {
-                rayleigh: Rayleigh {
-                    alpha1_s: plain(self.damping.rayleigh.alpha1_s),
-                    alpha2_per_s: plain(self.damping.rayleigh.alpha2_per_s),
-                },
-                loss_factor: plain(self.damping.loss_factor),
-            },
+            material: matter.material,
+            damping: matter.damping,
             ears_m: self.ears_m.map(|ear| ear.map(plain)),
             provenance: Provenance {
                 tolerance_cents: plain(self.provenance.tolerance_cents),
@@ -90,6 +82,24 @@ impl Bank {
 /// −0 becomes 0, because the two are equal but their bytes are not.
 fn plain(x: f64) -> f64 {
     x + 0.0
+}
+
+fn plain_matter(matter: Matter) -> Matter {
+    let Matter { material, damping } = matter;
+    Matter {
+        material: Material {
+            lambda_pa: plain(material.lambda_pa),
+            mu_pa: plain(material.mu_pa),
+            density_kg_m3: plain(material.density_kg_m3),
+        },
+        damping: Damping {
+            rayleigh: Rayleigh {
+                alpha1_s: plain(damping.rayleigh.alpha1_s),
+                alpha2_per_s: plain(damping.rayleigh.alpha2_per_s),
+            },
+            loss_factor: plain(damping.loss_factor),
+        },
+    }
 }
 
 fn section_len(body: &Body) -> u64 {

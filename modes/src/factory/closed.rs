@@ -67,6 +67,7 @@ pub(super) fn bank(recipe: &Recipe, shape: &ClosedShape) -> Result<Bank, BuildEr
             low: key,
             high: recipe.keys.high,
             tuned: 0,
+            rule: None,
         }],
     };
     Ok(sound::bank(recipe, found, vec![body], Some(spread)))

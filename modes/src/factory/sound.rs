@@ -104,6 +104,7 @@ pub(crate) fn sounding(
         pitch_hz,
         length_m: solved.length_m,
         mass_kg: solved.mass_kg,
+        matter: None,
         line: solved.line,
         surface: None,
         modes,

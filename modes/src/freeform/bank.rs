@@ -73,6 +73,7 @@ pub fn free_bank(recipe: &FreeRecipe, mesh: &Mesh, watch: &dyn Watch) -> Result<
                 low: recipe.keys.low,
                 high: recipe.keys.high,
                 tuned,
+                rule: None,
             }],
         }),
         bodies: vec![body],

@@ -66,6 +66,7 @@ fn body(key: u8, modes: impl Iterator<Item = Mode>) -> Body {
         pitch_hz: modes.first().map_or(BAND_HZ.0, |mode| mode.hz),
         length_m,
         mass_kg: 0.35,
+        matter: None,
         line: StrikeLine::single(
             (0..POINTS).map(|point| [0.0, 0.0, along(point)]).collect(),
             vec![[1.0, 0.0, 0.0]; POINTS],

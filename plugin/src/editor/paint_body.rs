@@ -28,7 +28,9 @@ pub(super) fn paint_body(
     theme: &Theme,
     look: &Look,
 ) {
-    let own = tint(&bank.material, theme.dark);
+    let body = bank.bodies.iter().find(|body| body.key == figure.key);
+    let matter = body.map_or_else(|| bank.matter(), |body| bank.matter_of(body));
+    let own = tint(&matter.material, theme.dark);
     let own = if is_black(figure.key) {
         Theme::mix(own, theme.ground, if theme.dark { 0.35 } else { 0.2 })
     } else {

@@ -5,6 +5,7 @@ use super::frame::Frame;
 use super::kind::{Kind, Noun};
 use crate::engine::Partial;
 use crate::shelf::Shelved;
+use modes::Matter;
 
 /// The partials of one body, worked out once.
 pub(super) struct Shown {
@@ -71,6 +72,12 @@ impl Shown {
             Some(level) if ours && self.peak > 1e-9 => level / self.peak,
             _ => 0.0,
         }
+    }
+
+    /// What the body is made of.
+    pub(super) fn matter(&self) -> Matter {
+        let body = self.bank.bodies.iter().find(|body| body.key == self.key);
+        body.map_or_else(|| self.bank.matter(), |body| self.bank.matter_of(body))
     }
 
     /// Which body it is, in words.

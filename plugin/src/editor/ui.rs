@@ -238,7 +238,7 @@ impl Ui {
             shown: &self.shown,
             frame,
             settings: &settings,
-            own: &bank.damping,
+            own: &self.shown.matter().damping,
             contact_s,
             trims: self.controls.trims(),
             theme,

@@ -1,7 +1,6 @@
 //! How loud: from Pa to full scale, key by key, once for an instrument.
 
 use super::body::{Body, Strike, Tuned};
-use super::mallet::contact_modulus_pa;
 use super::oscillators::{Kernel, Pack, Vectors};
 use super::source::Hearing;
 use super::touch::Touch;
@@ -58,21 +57,20 @@ struct Trial {
     kernel: Kernel,
     body: Body,
     packs: Vec<Pack>,
-    body_pa: f64,
     tuned: Tuned,
 }
 
 impl Trial {
     fn new(bank: &Bank, body: &modes::Body) -> Self {
-        let body = Body::new(body, 1.0, 0);
+        let matter = bank.matter_of(body);
+        let body = Body::new((body, &matter), 1.0, 0);
         Self {
             kernel: Kernel::new(Vectors::Widest),
             packs: vec![Pack::STILL; body.place.len()],
             body,
-            body_pa: contact_modulus_pa(&bank.material),
             tuned: Tuned {
                 trims: 0,
-                drain: Losses::AS_BUILT.drain(&bank.damping),
+                drain: Losses::AS_BUILT.drain(&matter.damping),
                 ratio: 1.0,
             },
         }
@@ -88,7 +86,7 @@ impl Trial {
             .tune(self.kernel, packs, (self.tuned, moved), step_s);
         let strike = Strike {
             mallet: settings.mallet,
-            body_pa: self.body_pa,
+            body_pa: self.body.modulus_pa,
             heavier: 1.0,
             touch: Touch::new(&settings, &Hit::plain(f64::from(velocity)), [0.0; 2]),
             seed: 1,

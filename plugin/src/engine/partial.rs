@@ -75,7 +75,7 @@ impl Partial {
 pub fn contact_s(bank: &Bank, body: &modes::Body, settings: &Settings, velocity: f64) -> f64 {
     let (settings, tweak) = (settings.sane(), settings.tweak.sane());
     let touch = Touch::new(&settings, &Hit::plain(velocity).sane(), [0.0; 2]);
-    let body_pa = contact_modulus_pa(&bank.material) * tweak.stiffness;
+    let body_pa = contact_modulus_pa(&bank.matter_of(body).material) * tweak.stiffness;
     settings
         .mallet
         .contact_s(body_pa, body.mass_kg * tweak.mass(), touch.speed_m_s)

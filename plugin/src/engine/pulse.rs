@@ -36,7 +36,7 @@ impl Pulse {
     ) -> Self {
         let (settings, tweak) = (settings.sane(), settings.tweak.sane());
         let touch = Touch::new(&settings, &Hit::plain(velocity).sane(), [0.0; 2]);
-        let body_pa = contact_modulus_pa(&bank.material) * tweak.stiffness;
+        let body_pa = contact_modulus_pa(&bank.matter_of(body).material) * tweak.stiffness;
         let body_kg = body.mass_kg * tweak.mass();
         let mallet = settings.mallet;
         let contact_s = mallet.contact_s(body_pa, body_kg, touch.speed_m_s);

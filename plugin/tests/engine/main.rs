@@ -2,6 +2,7 @@
 
 mod across;
 mod hands;
+mod kits;
 mod motor;
 mod partials;
 mod real_time;

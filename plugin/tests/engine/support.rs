@@ -75,6 +75,7 @@ pub(crate) fn chime(key: u8, hz: f64) -> Body {
         pitch_hz: hz,
         length_m,
         mass_kg,
+        matter: None,
         line: StrikeLine::single(
             (0..POINTS)
                 .map(|i| [0.0125, 0.0, length_m * i as f64 / (POINTS - 1) as f64])

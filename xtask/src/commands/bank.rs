@@ -4,7 +4,7 @@ use crate::table::Table;
 use crate::{banks, faust, note};
 use anyhow::{Result, bail};
 use clap::Args;
-use modes::{Body, Damping, Mode, t60_s};
+use modes::{Body, Damping, Matter, Mode, t60_s};
 use serde::Serialize;
 use std::path::Path;
 
@@ -45,6 +45,7 @@ struct KeyJson {
     pitch_hz: f64,
     length_m: f64,
     mass_kg: f64,
+    material: modes::Material,
     damping: Damping,
     modes: Vec<ModeJson>,
 }
@@ -86,8 +87,8 @@ impl Bank {
             return self.program(bank, body);
         }
         match (body, self.json) {
-            (Some(body), true) => json(&KeyJson::new(body, &bank.damping)),
-            (Some(body), false) => Ok(modes_table(body, &bank.damping)),
+            (Some(body), true) => json(&KeyJson::new(body, &bank.matter_of(body))),
+            (Some(body), false) => Ok(modes_table(body, &bank.matter_of(body).damping)),
             (None, true) => json(&BankJson::new(bank)),
             (None, false) => Ok(keys_table(bank)),
         }
@@ -110,7 +111,7 @@ impl Bank {
 
 impl BankJson {
     fn new(bank: &modes::Bank) -> Self {
-        let key = |body| KeyJson::new(body, &bank.damping);
+        let key = |body| KeyJson::new(body, &bank.matter_of(body));
         Self {
             name: bank.name.clone(),
             material: bank.material,
@@ -121,17 +122,18 @@ impl BankJson {
 }
 
 impl KeyJson {
-    fn new(body: &Body, damping: &Damping) -> Self {
+    fn new(body: &Body, matter: &Matter) -> Self {
         Self {
             key: body.key,
             pitch_hz: body.pitch_hz,
             length_m: body.length_m,
             mass_kg: body.mass_kg,
-            damping: *damping,
+            material: matter.material,
+            damping: matter.damping,
             modes: body
                 .modes
                 .iter()
-                .map(|m| ModeJson::new(m, damping))
+                .map(|m| ModeJson::new(m, &matter.damping))
                 .collect(),
         }
     }
@@ -170,7 +172,7 @@ fn keys_table(bank: &modes::Bank) -> String {
             format!("{:.2}", 1e3 * body.length_m),
             format!("{:.1}", 1e3 * body.mass_kg),
             body.modes.len().to_string(),
-            longest_t60(body, &bank.damping),
+            longest_t60(body, &bank.matter_of(body).damping),
         ]);
     }
     table.text(false)
@@ -230,6 +232,7 @@ mod tests {
             pitch_hz: 587.33,
             length_m: 0.505,
             mass_kg: 0.2,
+            matter: None,
             line,
             surface: None,
             modes: vec![mode],

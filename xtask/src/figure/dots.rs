@@ -102,6 +102,7 @@ mod tests {
             pitch_hz: 100.0,
             length_m: 1.0,
             mass_kg: 1.0,
+            matter: None,
             line: StrikeLine::single(vec![[0.0; 3]; 8], vec![[0.0, 0.0, 1.0]; 8]),
             surface: None,
             modes,

@@ -42,7 +42,7 @@ const NAMED: usize = 7;
 ///
 /// If the body has no modes or the file cannot be written.
 pub(crate) fn draw(bank: &Bank, body: &Body, path: &Path) -> Result<()> {
-    let dots = dots(body, &bank.damping, STRIKE_POSITION);
+    let dots = dots(body, &bank.matter_of(body).damping, STRIKE_POSITION);
     let figure = Figure::of(&dots).with_context(|| {
         let (name, key) = (&bank.name, body.key);
         format!("{name}: the body of key {key} has no modes")

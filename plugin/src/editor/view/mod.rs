@@ -146,7 +146,7 @@ impl View {
         }
         let bank = &sight.shown().bank;
         let body = bank.bodies.iter().find(|body| body.key == key)?;
-        let solid = Solid::of(body, &bank.material);
+        let solid = Solid::of(body, &bank.matter_of(body).material);
         let other = instrument != Some(sight.instrument);
         self.portrait.turn_to(&solid, other);
         self.clicked = None;
@@ -155,7 +155,7 @@ impl View {
 
     fn paint(&mut self, ui: &Ui, area: Rect, solid: &Solid, sight: &Sight<'_, '_>) {
         let theme = sight.theme;
-        let material = &sight.shown().bank.material;
+        let material = &sight.shown().matter().material;
         let hz: Vec<f64> = sight.shown().partials.iter().map(|p| p.hz).collect();
         let ours = sight
             .frame

@@ -12,11 +12,12 @@ pub(crate) use tuned::{Moved, Tuned};
 use super::bow::Rub;
 use super::contact::Contact;
 use super::grips;
+use super::mallet::contact_modulus_pa;
 use super::oscillators::{LANES, Pack, Step, Tone};
 use super::source::{Hearing, Reached, Source, reached};
 use super::sympathy::Strand;
 use heir::Names;
-use modes::StrikeGrid;
+use modes::{Damping, Matter, StrikeGrid};
 use pushed::MALLETS;
 use std::ops::Range;
 use trimmed::Trimmed;
@@ -28,6 +29,10 @@ pub(crate) const FLOOR: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
     pub(crate) mass_kg: f64,
+    /// E/(1 − ν²) of its material, in Pa.
+    pub(crate) modulus_pa: f64,
+    /// What its material takes by itself.
+    pub(crate) own: Damping,
     /// Whether the bank says what the damper's felt does to it.
     pub(crate) has_felt: bool,
     /// Where its modes are among the packs of the instrument.
@@ -63,9 +68,9 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// From a bank's body, with its modes at `first` among the packs of the instrument; `scale` takes
+    /// From a bank's body and what it is made of, with its modes at `first` among the packs of the instrument; `scale` takes
     /// Pa to full scale.
-    pub(crate) fn new(body: &modes::Body, scale: f64, first: usize) -> Self {
+    pub(crate) fn new((body, matter): (&modes::Body, &Matter), scale: f64, first: usize) -> Self {
         let modes = reached(body);
         let packs = modes.len().div_ceil(LANES);
         let points = body.line.len();
@@ -86,6 +91,8 @@ impl Body {
         let strand = Strand::new(tones.first().map_or(&[0.0; LANES], |tone| &tone.rates[1]));
         Self {
             mass_kg: body.mass_kg,
+            modulus_pa: contact_modulus_pa(&matter.material),
+            own: matter.damping,
             has_felt: modes.iter().any(|mode| mode.air[3] > 0.0),
             place: first..first + packs,
             live: 0,

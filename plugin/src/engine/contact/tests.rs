@@ -65,6 +65,7 @@ fn random_body(chance: &mut Chance, modes: usize) -> modes::Body {
             (0..POINTS).map(|i| [0.0, 0.0, f64::from(i)]).collect(),
             vec![[1.0, 0.0, 0.0]; usize::from(POINTS)],
         ),
+        matter: None,
         surface: None,
         modes,
     }
@@ -79,6 +80,22 @@ impl Contact {
             + 0.4 * self.hertz.stiffness * depth * depth * depth.sqrt()
     }
 }
+
+/// Body and mallet are given apart from it.
+const STUFF: modes::Matter = modes::Matter {
+    material: modes::Material {
+        lambda_pa: 5e10,
+        mu_pa: 2.6e10,
+        density_kg_m3: 2700.0,
+    },
+    damping: modes::Damping {
+        rayleigh: modes::Rayleigh {
+            alpha1_s: 0.0,
+            alpha2_per_s: 0.0,
+        },
+        loss_factor: 0.0,
+    },
+};
 
 const FREE: Tuned = Tuned {
     trims: 0,
@@ -114,7 +131,7 @@ fn no_blow_creates_energy() {
     for trial in 0..10_000u64 {
         let step_s = 1.0 / chance.between(8e3, 768e3);
         let given = random_body(&mut chance, 3 + (trial % 30) as usize);
-        let mut body = Body::new(&given, 1.0, 0);
+        let mut body = Body::new((&given, &STUFF), 1.0, 0);
         let mut packs = vec![Pack::STILL; body.place.len()];
         let moved = body.listen(&Hearing::AS_BUILT);
         body.tune(kernel, &mut packs, (FREE, moved), step_s);

@@ -7,6 +7,7 @@ use crate::engine::body::{Moved, Tuned};
 use crate::engine::damper::{Dampers, bit};
 use crate::engine::losses::Drain;
 use crate::engine::source::Hearing;
+use modes::Damping;
 
 /// Every thirty-second key.
 const PARTS: u128 = 0x0000_0001_0000_0001_0000_0001_0000_0001;
@@ -37,13 +38,14 @@ impl Engine {
         self.stale = u128::MAX;
     }
 
-    /// What drains all bodies alike now.
-    pub(super) fn drain(&self) -> Drain {
-        self.glides.drain(&self.own, self.motor.taken())
+    /// What drains a key's body now, whatever hands and dampers do.
+    fn drain(&self, key: u8) -> Drain {
+        let own = self.body(key).map_or(Damping::default(), |body| body.own);
+        self.glides.drain(&own, self.motor.taken())
     }
 
-    /// What the modes of a key's body are tuned to now, `drain` being what drains all.
-    pub(super) fn tuned(&self, key: u8, drain: &Drain) -> Tuned {
+    /// What the modes of a key's body are tuned to now.
+    pub(super) fn tuned(&self, key: u8) -> Tuned {
         let hand = &self.hands[usize::from(key)];
         let has_felt = self.body(key).is_some_and(|body| body.has_felt);
         let felt = if self.settings.note_off_damps {
@@ -56,18 +58,19 @@ impl Engine {
         } else {
             Dampers::new(felt, has_felt)
         };
-        self.tuned_under(&on, key, drain)
+        self.tuned_under(&on, key)
     }
 
     /// The same under other dampers than those that are on it.
-    pub(super) fn tuned_under(&self, on: &Dampers, key: u8, drain: &Drain) -> Tuned {
+    pub(super) fn tuned_under(&self, on: &Dampers, key: u8) -> Tuned {
+        let drain = self.drain(key);
         let hand = &self.hands[usize::from(key)];
         let doppler = self.swung(key).0;
         Tuned {
             drain: Drain {
                 felt: on.felt,
                 hand_per_s: on.hand_per_s + hand.hold.hand_per_s.max(-0.5 * drain.alpha2_per_s),
-                ..*drain
+                ..drain
             },
             ratio: self.pitch * hand.bend * doppler,
             trims: self.trims_number,
@@ -161,12 +164,11 @@ impl Engine {
                 body.feel(self.kernel, &self.packs, &mut all);
             }
         }
-        let drain = self.drain();
         let joined = self.bodies.iter().flatten().count().max(1) as f64;
         let share = sympathy * self.glides.supports().min(1.0) * self.step_s / joined;
         for key in 0..128 {
             if self.awake & bit(key) == 0 {
-                self.fit(key, &drain);
+                self.fit(key);
             }
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;
@@ -203,9 +205,8 @@ impl Engine {
         self.cell.ring_left(self.kernel, &mut self.packs);
         self.stale &= !stale;
         self.unheard &= !unheard;
-        let drain = self.drain();
         for key in keys(stale) {
-            let tuned = self.tuned(key, &drain);
+            let tuned = self.tuned(key);
             let hearing = (unheard & bit(key) != 0).then(|| self.hearing(key));
             let Some(body) = self.bodies[usize::from(key)].as_mut() else {
                 continue;

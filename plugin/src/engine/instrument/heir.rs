@@ -36,12 +36,11 @@ impl Engine {
         self.struck = old.struck;
         self.moved();
         (self.stale, self.unheard) = (u128::MAX, u128::MAX);
-        let drain = self.drain();
         for key in keys(old.awake) {
             if let Some(body) = self.bodies[usize::from(key)].as_mut() {
                 body.fading = Moved::NONE;
             }
-            self.fit(key, &drain);
+            self.fit(key);
             let theirs = old.body(key);
             let (Some(body), Some(theirs)) = (self.bodies[usize::from(key)].as_mut(), theirs)
             else {

@@ -13,14 +13,13 @@ use super::cell::Cell;
 use super::glides::Glides;
 use super::level::full_scales;
 use super::limiter::Limiter;
-use super::mallet::contact_modulus_pa;
 use super::motor::Motor;
 use super::oscillators::{Kernel, Pack, Vectors};
 use super::source::Way;
 use super::swing::{Swing, SwingStep};
 use super::trims::Trims;
 use super::{GRID, Settings};
-use modes::{Bank, Damping, Stencil};
+use modes::{Bank, Stencil};
 use playing::Hand;
 
 /// No sample is ever beyond this, whatever is played: 36 dB over full scale, with the limiter off. Below
@@ -38,10 +37,6 @@ pub struct Engine {
     bodies: Vec<Option<Body>>,
     /// The modes of all bodies.
     packs: Vec<Pack>,
-    /// What the material of the bodies takes by itself.
-    own: Damping,
-    /// E/(1 − ν²) of that material, in Pa.
-    modulus_pa: f64,
     /// Where the bank has the listener's ears, and how far the middle between them is, in m.
     ears_m: [[f64; 3]; 2],
     distance_m: f64,
@@ -143,7 +138,7 @@ impl Engine {
             .collect();
         let mut packs = 0;
         for (body, scale) in usable.iter().zip(full_scales(bank, &usable)) {
-            let made = Body::new(body, scale, packs);
+            let made = Body::new((body, &bank.matter_of(body)), scale, packs);
             packs = made.place.end;
             bodies[usize::from(body.key)] = Some(made);
         }
@@ -152,8 +147,6 @@ impl Engine {
         let mut engine = Self {
             bodies,
             packs: vec![Pack::STILL; packs],
-            own: bank.damping,
-            modulus_pa: contact_modulus_pa(&bank.material),
             ears_m: bank.ears_m,
             distance_m: distance_m(&bank.ears_m),
             awake: 0,

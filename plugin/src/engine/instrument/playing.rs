@@ -62,7 +62,7 @@ impl Engine {
         };
         let strike = Strike {
             mallet: mallet.sane(),
-            body_pa: self.modulus_pa * tweak.stiffness,
+            body_pa: self.body(key).map_or(f64::INFINITY, |body| body.modulus_pa) * tweak.stiffness,
             heavier: tweak.mass(),
             touch,
             seed: grain(key, self.position),
@@ -82,7 +82,7 @@ impl Engine {
     pub(super) fn wake(&mut self, key: u8) {
         let sleeps = self.awake & bit(key) == 0;
         if sleeps {
-            self.fit(key, &self.drain());
+            self.fit(key);
         }
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
             return;

@@ -3,15 +3,14 @@
 use super::{Engine, keys};
 use crate::engine::body::Tuned;
 use crate::engine::damper::{Dampers, bit};
-use crate::engine::losses::Drain;
 
 /// Bodies asleep that are made ready in one cell.
 pub(super) const PREPARED: usize = 4;
 
 impl Engine {
     /// Tunes a body to what holds now, at once; whether it is to be tuned once more when nothing moves.
-    pub(super) fn fit(&mut self, key: u8, drain: &Drain) -> bool {
-        let tuned = self.tuned(key, drain);
+    pub(super) fn fit(&mut self, key: u8) -> bool {
+        let tuned = self.tuned(key);
         self.take_up(key, tuned)
     }
 
@@ -33,10 +32,9 @@ impl Engine {
         if waiting == 0 {
             return;
         }
-        let drain = self.drain();
         for key in keys(waiting).take(most) {
             self.unheard &= !bit(key);
-            let tuned = self.tuned_under(&Dampers::OFF, key, &drain);
+            let tuned = self.tuned_under(&Dampers::OFF, key);
             if !self.take_up(key, tuned) {
                 self.stale &= !bit(key);
             }
