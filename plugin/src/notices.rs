@@ -1,5 +1,6 @@
 //! What a user should know, from whoever finds out to the editor.
 
+use modes::MeshOrder;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// What a notice is about; there is one for each at most.
@@ -18,16 +19,18 @@ pub enum Subject {
 }
 
 /// What a button beside a notice can do about it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Cure {
     /// Choose for good what plays in the song's stead.
     Stay,
     /// Load the bank of this name from the user's folder, or show the folder if it is not there.
     Load(String),
+    /// Build in full quality what plays as a preview.
+    Finish(Box<MeshOrder>),
 }
 
 /// One thing to know.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
     /// What it is about.
     pub subject: Subject,

@@ -4,6 +4,7 @@ use super::choice::{closed, place, stepped};
 use super::param::Param;
 use super::sheet::{News, Sheet, is_mesh};
 use super::theme::{Theme, small};
+use crate::mesher::Places;
 use crate::notices::{Cure, Notice, Notices, Subject};
 use crate::params::Controls;
 use crate::shelf::{Librarian, Library, OWN, Said};
@@ -11,6 +12,7 @@ use crate::user_folder;
 use egui::{
     Button, CursorIcon, FontId, OpenUrl, Popup, Rect, Response, RichText, ScrollArea, Ui, vec2,
 };
+use modes::MeshOrder;
 use nice_plug::prelude::ParamSetter;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -82,10 +84,19 @@ impl Instruments {
         }
     }
 
+    /// Has what plays as a preview built in full quality, on the sheet.
+    pub(super) fn finish(&self, order: &MeshOrder) {
+        self.sheet.finish(order.clone());
+    }
+
     /// Draws the sheet of a mesh, if one is open.
     pub(super) fn show_sheet(&mut self, ui: &Ui, theme: &Theme) {
-        let shelf = self.controls.shelf();
-        self.sheet.show(ui, &self.library, shelf, theme);
+        let places = Places {
+            library: Arc::clone(&self.library),
+            shelf: Arc::clone(self.controls.shelf()),
+            notices: Arc::clone(self.controls.notices()),
+        };
+        self.sheet.show(ui, &places, theme);
     }
 
     pub(super) fn notices(&self) -> &Arc<Notices> {

@@ -60,6 +60,13 @@ pub(super) fn notice(
                     }
                 }
             },
+            Some(Cure::Finish(order)) => {
+                let tooltip =
+                    "Solves the mesh again, finely; the preview sounds on until that is done";
+                if button(ui, "Go on to full quality", tooltip) {
+                    instruments.finish(order);
+                }
+            }
             None => {}
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {

@@ -1,8 +1,7 @@
 //! The sheet on which a mesh becomes an instrument.
 
 use super::theme::{Theme, small};
-use crate::mesher::{Facts, Mesher, Phase, Quality, State, guessed_size_m};
-use crate::shelf::{Library, Shelf};
+use crate::mesher::{Facts, Mesher, Phase, Places, Quality, State, guessed_size_m};
 use egui::{Align2, ComboBox, DragValue, ProgressBar, RichText, Ui, Window, vec2};
 use modes::{FreeFineness, MeshOrder, NAMED_MATERIALS};
 use std::path::{Path, PathBuf};
@@ -22,16 +21,22 @@ const WIDE: f32 = 340.0;
 /// Tells the window that there is something new to draw.
 pub(super) type News = Arc<dyn Fn() + Send + Sync>;
 
-/// A file that was chosen, on its way from a dialog to the window.
-#[derive(Clone, Default)]
-pub(super) struct Chosen(Arc<Mutex<Option<PathBuf>>>);
+/// What was chosen, on its way to the sheet.
+#[derive(Clone)]
+pub(super) struct Chosen<T>(Arc<Mutex<Option<T>>>);
 
-impl Chosen {
-    pub(super) fn put(&self, path: PathBuf) {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(path);
+impl<T> Default for Chosen<T> {
+    fn default() -> Self {
+        Self(Arc::new(Mutex::new(None)))
+    }
+}
+
+impl<T> Chosen<T> {
+    pub(super) fn put(&self, it: T) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(it);
     }
 
-    fn take(&self) -> Option<PathBuf> {
+    fn take(&self) -> Option<T> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 }
@@ -90,7 +95,9 @@ impl Choice {
 /// The sheet, open or not.
 pub(super) struct Sheet {
     open: bool,
-    chosen: Chosen,
+    chosen: Chosen<PathBuf>,
+    /// What is to be built in full quality, as a notice offers.
+    unfinished: Chosen<MeshOrder>,
     mesher: Mesher,
     choice: Option<Choice>,
     /// What is wrong with the choice itself.
@@ -103,6 +110,7 @@ impl Default for Sheet {
         Self {
             open: false,
             chosen: Chosen::default(),
+            unfinished: Chosen::default(),
             mesher: Mesher::default(),
             choice: None,
             fault: None,
@@ -113,22 +121,25 @@ impl Default for Sheet {
 
 impl Sheet {
     /// Where a dialog puts the mesh that was picked.
-    pub(super) fn chosen(&self) -> Chosen {
+    pub(super) fn chosen(&self) -> Chosen<PathBuf> {
         self.chosen.clone()
     }
 
+    /// Opens the sheet and builds in full quality.
+    pub(super) fn finish(&self, order: MeshOrder) {
+        self.unfinished.put(order);
+    }
+
     /// Draws the sheet, if there is a mesh on it.
-    pub(super) fn show(
-        &mut self,
-        ui: &Ui,
-        library: &Arc<Library>,
-        shelf: &Arc<Shelf>,
-        theme: &Theme,
-    ) {
+    pub(super) fn show(&mut self, ui: &Ui, places: &Places, theme: &Theme) {
         if let Some(path) = self.chosen.take() {
             (self.open, self.choice, self.fault) = (true, None, None);
             let news = Arc::clone(&self.news);
             self.mesher.look(path, move || news());
+        }
+        if let Some(order) = self.unfinished.take() {
+            (self.open, self.fault) = (true, None);
+            self.order(order, Quality::Full, places);
         }
         if !self.open {
             return;
@@ -156,19 +167,19 @@ impl Sheet {
                 deed = buttons(ui, &state);
             });
         match deed {
-            Some(Deed::Build) => self.build(&state, library, shelf),
+            Some(Deed::Build) => self.build(&state, places),
             Some(Deed::Cancel) => self.mesher.cancel(),
             Some(Deed::Close) => open = false,
             None => {}
         }
         if !open {
-            // What is being built ends, and nothing comes of it.
+            // What is being built ends; a preview that plays already plays on.
             self.mesher.cancel();
             self.open = false;
         }
     }
 
-    fn build(&mut self, state: &State, library: &Arc<Library>, shelf: &Arc<Shelf>) {
+    fn build(&mut self, state: &State, places: &Places) {
         let (Some(choice), Some(facts)) = (&self.choice, &state.facts) else {
             return;
         };
@@ -176,11 +187,14 @@ impl Sheet {
             self.fault = Some(format!("{}: name the file in Unicode", facts.file_name()));
             return;
         };
+        let quality = choice.quality;
         self.fault = None;
+        self.order(order, quality, places);
+    }
+
+    fn order(&mut self, order: MeshOrder, quality: Quality, places: &Places) {
         let news = Arc::clone(&self.news);
-        let news = move || news();
-        self.mesher
-            .build(order, choice.quality, library, shelf, news);
+        self.mesher.build(order, quality, places, move || news());
     }
 }
 
@@ -272,6 +286,11 @@ fn standing(ui: &mut Ui, state: &State, fault: Option<&str>, theme: &Theme) {
             theme,
         ),
         Phase::Cancelled => quiet(ui, "Given up.".to_owned(), theme),
+        Phase::Stopped => quiet(
+            ui,
+            "Full quality was given up. The preview plays, and goes with the song.".to_owned(),
+            theme,
+        ),
         Phase::Refused(reason) => {
             ui.label(RichText::new(reason).font(small()).color(theme.alarm));
         }

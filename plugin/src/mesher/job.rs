@@ -1,8 +1,9 @@
 //! One build: a preview, then the whole, each put on the shelf as soon as it is there.
 
 use super::state::Shared;
-use super::{Phase, Quality};
-use crate::shelf::{Library, Own, Shelf};
+use super::{Phase, Places, Quality};
+use crate::notices::{Cure, Notice, Subject};
+use crate::shelf::Own;
 use modes::factory::Progress;
 use modes::freeform::{Made, make};
 use modes::{FreeFineness, MeshOrder};
@@ -19,8 +20,7 @@ const MOST_THREADS: usize = 4;
 pub(super) struct Job {
     pub(super) order: MeshOrder,
     pub(super) quality: Quality,
-    pub(super) library: Arc<Library>,
-    pub(super) shelf: Arc<Shelf>,
+    pub(super) places: Places,
     pub(super) shared: Arc<Shared>,
     pub(super) news: Box<dyn Fn() + Send + Sync>,
 }
@@ -38,14 +38,47 @@ impl Job {
             Err(error) => Err(error.to_string()),
         };
         self.shared.end(match ended {
-            Ok(()) => Phase::Done,
-            Err(_) if self.shared.is_cancelled() => Phase::Cancelled,
-            Err(reason) => Phase::Refused(reason),
+            Ok(file) => self.keep(&file),
+            Err(reason) => self.failed(reason),
         });
         (self.news)();
     }
 
-    fn build(&self) -> Result<(), String> {
+    /// Puts the bank's file into the user's folder too.
+    fn keep(&self, file: &[u8]) -> Phase {
+        match self.places.library.keep(&self.order.name(), file) {
+            Ok(()) => Phase::Done,
+            Err(error) => Phase::Refused(format!(
+                "The song has it, but its file cannot be written: {error}"
+            )),
+        }
+    }
+
+    /// What has become of what did not come to its end. A preview that plays is kept: it is what the user hears.
+    fn failed(&self, reason: String) -> Phase {
+        let previewed = self.shared.state().phase == Phase::Full;
+        let cancelled = self.shared.is_cancelled();
+        if previewed {
+            let why = if cancelled {
+                "full quality was given up"
+            } else {
+                &reason
+            };
+            self.places.notices.post(Notice {
+                subject: Subject::Bank,
+                text: format!("{} plays as a preview: {why}.", self.order.name()),
+                cure: cancelled.then(|| Cure::Finish(Box::new(self.order.clone()))),
+            });
+        }
+        match (cancelled, previewed) {
+            (true, true) => Phase::Stopped,
+            (true, false) => Phase::Cancelled,
+            (false, _) => Phase::Refused(reason),
+        }
+    }
+
+    /// Builds what is asked for; the last bank as a file.
+    fn build(&self) -> Result<Vec<u8>, String> {
         let FreeFineness {
             nodes, most_modes, ..
         } = FreeFineness::default();
@@ -55,10 +88,7 @@ impl Job {
             (self.news)();
             bytes = self.make((nodes as u32, most_modes as u32))?;
         }
-        let stem = self.order.name();
-        self.library
-            .keep(&stem, &bytes)
-            .map_err(|error| format!("The song has it, but its file cannot be written: {error}"))
+        Ok(bytes)
     }
 
     /// Builds at a fineness and puts it on the shelf; the bank as a file.
@@ -77,9 +107,10 @@ impl Job {
             return Err("cancelled".to_owned());
         }
         let bytes = bank.write();
-        self.shelf
+        self.places
+            .shelf
             .put(Own::new(bank).map_err(|error| said(&error))?);
-        self.library.arrive();
+        self.places.library.arrive();
         (self.news)();
         Ok(bytes)
     }

@@ -7,12 +7,24 @@ mod state;
 pub use facts::{Facts, guessed_size_m};
 pub use state::{Phase, Quality, State};
 
+use crate::notices::{Notices, Subject};
 use crate::shelf::{Library, Shelf};
 use modes::MeshOrder;
 use state::Shared;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
+
+/// Where what is built goes, and what is to be known of it.
+#[derive(Clone)]
+pub struct Places {
+    /// Has the user's folder, for the last quality that was asked for.
+    pub library: Arc<Library>,
+    /// Has the instrument that plays, in each quality as it comes.
+    pub shelf: Arc<Shelf>,
+    /// Are told when a preview is all that came.
+    pub notices: Arc<Notices>,
+}
 
 /// What builds one instrument at a time.
 ///
@@ -38,21 +50,23 @@ impl Mesher {
 
     /// Builds what is ordered. The preview sounds as soon as it is there; what comes of full quality
     /// replaces it. The last one goes into the library's folder too.
+    ///
+    /// If full quality is given up or cannot be had, the preview plays on and goes with the song, and a notice
+    /// says so, which offers to go on.
     pub fn build(
         &mut self,
         order: MeshOrder,
         quality: Quality,
-        library: &Arc<Library>,
-        shelf: &Arc<Shelf>,
+        places: &Places,
         news: impl Fn() + Send + Sync + 'static,
     ) {
         self.give_up();
+        places.notices.clear(Subject::Bank);
         self.shared.begin(Phase::Preview);
         let job = job::Job {
             order,
             quality,
-            library: Arc::clone(library),
-            shelf: Arc::clone(shelf),
+            places: places.clone(),
             shared: Arc::clone(&self.shared),
             news: Box::new(news),
         };

@@ -29,8 +29,10 @@ pub enum Phase {
     Full,
     /// What was built is there.
     Done,
-    /// The user has had enough.
+    /// The user has had enough, and nothing has changed.
     Cancelled,
+    /// The user has had enough of waiting for full quality: the preview plays on.
+    Stopped,
     /// It cannot be, and why.
     Refused(String),
 }

@@ -1,11 +1,15 @@
 //! Files looked into, built, given up and refused.
 
+mod playing;
+
 use super::*;
+use crate::notices::{Cure, Notice};
 use modes::solid::{gallery, write_obj};
 use std::fs;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
-fn order(file: &std::path::Path) -> MeshOrder {
+fn order(file: &Path) -> MeshOrder {
     MeshOrder {
         file: file.to_str().unwrap().to_owned(),
         object: None,
@@ -17,6 +21,15 @@ fn order(file: &std::path::Path) -> MeshOrder {
         tuned: "lowest".to_owned(),
         nodes: 0,
         most_modes: 0,
+    }
+}
+
+/// A song without a bank, and a folder of banks.
+fn places(folder: Option<&Path>) -> Places {
+    Places {
+        library: Arc::new(Library::new(folder.map(Path::to_path_buf))),
+        shelf: Arc::default(),
+        notices: Arc::default(),
     }
 }
 
@@ -36,7 +49,7 @@ fn a_star_is_looked_into_built_kept_and_played() {
     let file = folder.path().join("star.obj");
     fs::write(&file, write_obj(&gallery::star(5, 100.0, 20.0))).unwrap();
     let banks = folder.path().join("Banks");
-    let (library, shelf) = (Arc::new(Library::new(Some(banks.clone()))), Arc::default());
+    let places = places(Some(&banks));
     let mut mesher = Mesher::default();
     mesher.look(file.clone(), || ());
     let facts = rest(&mesher).facts.unwrap();
@@ -47,13 +60,13 @@ fn a_star_is_looked_into_built_kept_and_played() {
             size_m: Some(if banks.exists() { 0.3 } else { 0.2 }),
             ..order(&file)
         };
-        mesher.build(order, Quality::Preview, &library, &shelf, || ());
+        mesher.build(order, Quality::Preview, &places, || ());
         assert_eq!(rest(&mesher).phase, Phase::Done);
-        assert!(library.arrived());
+        assert!(places.library.arrived());
     }
-    assert_eq!(shelf.own().unwrap().title(), "star");
+    assert_eq!(places.shelf.own().unwrap().title(), "star");
     assert_eq!(
-        shelf.own().unwrap().bank().bodies.len(),
+        places.shelf.own().unwrap().bank().bodies.len(),
         61,
         "a body to a key"
     );
@@ -68,17 +81,50 @@ fn what_is_given_up_leaves_nothing() {
     let file = folder.path().join("star.obj");
     fs::write(&file, write_obj(&gallery::star(5, 0.1, 0.02))).unwrap();
     let banks = folder.path().join("Banks");
-    let (library, shelf) = (Arc::new(Library::new(Some(banks.clone()))), Arc::default());
+    let places = places(Some(&banks));
     let mut mesher = Mesher::default();
-    mesher.build(order(&file), Quality::Full, &library, &shelf, || ());
+    mesher.build(order(&file), Quality::Full, &places, || ());
     mesher.cancel();
     assert_eq!(rest(&mesher).phase, Phase::Cancelled);
-    assert!(shelf.own().is_none() && !banks.exists());
+    assert!(places.shelf.own().is_none() && !banks.exists());
     // The window closes in the midst of it.
-    mesher.build(order(&file), Quality::Full, &library, &shelf, || ());
+    mesher.build(order(&file), Quality::Full, &places, || ());
     drop(mesher);
     assert!(!banks.exists());
-    assert_eq!(Arc::strong_count(&shelf), 1, "no thread is left");
+    assert_eq!(Arc::strong_count(&places.shelf), 1, "no thread is left");
+}
+
+#[test]
+fn a_preview_whose_full_quality_is_given_up_plays_on_and_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("star.obj");
+    fs::write(&file, write_obj(&gallery::star(5, 0.1, 0.02))).unwrap();
+    let banks = folder.path().join("Banks");
+    let places = places(Some(&banks));
+    let mut mesher = Mesher::default();
+    mesher.build(order(&file), Quality::Full, &places, || ());
+    let start = Instant::now();
+    while mesher.state().phase != Phase::Full {
+        assert!(start.elapsed() < Duration::from_secs(120));
+        thread::sleep(Duration::from_millis(1));
+    }
+    mesher.cancel();
+    assert_eq!(rest(&mesher).phase, Phase::Stopped);
+    assert_eq!(places.shelf.own().unwrap().title(), "star");
+    assert!(!banks.exists(), "what is not asked for is not kept");
+    let Some(Notice { text, cure, .. }) = places.notices.first() else {
+        panic!("nobody is told");
+    };
+    assert_eq!(text, "star plays as a preview: full quality was given up.");
+    let Some(Cure::Finish(again)) = cure else {
+        panic!("{cure:?}");
+    };
+    assert_eq!(*again, order(&file));
+    mesher.build(*again, Quality::Preview, &places, || ());
+    assert_eq!(places.notices.first(), None);
+    assert_eq!(rest(&mesher).phase, Phase::Done);
+    assert_eq!(places.notices.first(), None);
+    assert!(banks.join("star.bank").is_file());
 }
 
 #[test]
@@ -86,9 +132,9 @@ fn what_is_no_solid_is_refused_with_its_reason() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("sheet.obj");
     fs::write(&file, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
-    let (library, shelf) = (Arc::new(Library::new(None)), Arc::default());
+    let places = places(None);
     let mut mesher = Mesher::default();
-    mesher.build(order(&file), Quality::Preview, &library, &shelf, || ());
+    mesher.build(order(&file), Quality::Preview, &places, || ());
     let Phase::Refused(reason) = rest(&mesher).phase else {
         panic!("{:?}", mesher.state());
     };

@@ -87,6 +87,29 @@ fn a_build_that_is_cancelled_leaves_what_plays() {
 }
 
 #[test]
+fn a_preview_plays_on_when_full_quality_is_given_up_until_one_goes_on() {
+    let bench = Bench::new("chimes");
+    let (folder, file) = give(&bench);
+    let mut harness = bench.harness();
+    open(&bench, &file);
+    wait(&mut harness, "star.obj: ");
+    click(&mut harness, "Build");
+    wait(&mut harness, "The preview sounds");
+    click(&mut harness, "Cancel");
+    wait(&mut harness, "The preview plays");
+    assert_eq!(bench.text("instr"), "Your own");
+    assert_eq!(bench.controls.shelf().own().unwrap().title(), "star");
+    assert!(!folder.path().join("star.bank").exists());
+    click(&mut harness, "Close");
+    assert!(harness.query_by_label("Build").is_none());
+    click(&mut harness, "Go on to full quality");
+    wait(&mut harness, "The preview sounds");
+    assert!(harness.query_by_label("Go on to full quality").is_none());
+    click(&mut harness, "Cancel");
+    wait(&mut harness, "The preview plays");
+}
+
+#[test]
 fn a_mesh_that_is_refused_is_shown_with_its_reason() {
     let bench = Bench::new("chimes");
     let (folder, _) = give(&bench);
