@@ -3,9 +3,10 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use egui::{Color32, Pos2, Rect, vec2};
-use idiophone::editor::{Paint, Portrait, Solid, Swinging};
+use idiophone::editor::{Laid, Paint, Portrait, Solid, Swinging};
 use idiophone::engine::Partial;
 use idiophone::factory;
+use modes::sound_map::{BodyMap, Hearing};
 use modes::{Body, Material};
 use std::hint::black_box;
 
@@ -67,6 +68,7 @@ fn picture(c: &mut Criterion) {
     let paint = Paint {
         own: Color32::GRAY,
         moving: [Color32::YELLOW, Color32::BLUE],
+        map: None,
         ink: Color32::WHITE,
         metal: true,
         pixel: 0.5,
@@ -95,11 +97,57 @@ fn picture(c: &mut Criterion) {
             });
         });
     }
+    let colours = vec![Color32::RED; solid.points_m.len()];
+    let mapped = Paint {
+        map: Some(Laid {
+            colours: &colours,
+            beyond: 0.0,
+        }),
+        ..paint
+    };
+    let swinging = Swinging {
+        hz: &hz,
+        swings: &swings,
+        alone: None,
+        times: 1.0,
+    };
+    let mut portrait = Portrait::default();
+    portrait.turn_to(&solid, true);
+    group.bench_function("all ring under a map", |b| {
+        b.iter(|| {
+            portrait.swing(&solid, area, &swinging, FRAME_S);
+            black_box(portrait.mesh(&solid, &swinging, &mapped))
+        });
+    });
     group.bench_function("another body", |b| {
         b.iter(|| black_box(Solid::of(&body, &material)));
     });
     group.finish();
 }
 
-criterion_group!(benches, picture);
+/// The map of timbre of a square drum at as many places as a surface has points.
+fn map(c: &mut Criterion) {
+    let index = factory::BANKS
+        .iter()
+        .position(|(name, _)| *name == "square-drums");
+    let body = &factory::bank(index.unwrap_or(0)).bodies[0];
+    let places: Vec<[f64; 2]> = (0..TRIANGLES)
+        .map(|i| [(i % 200) as f64 / 199.0, (i / 200) as f64 / 99.0])
+        .collect();
+    let map = BodyMap::new(&Hearing::HUMAN, body, &places);
+    let mut group = c.benchmark_group(format!(
+        "map of {} modes at {} places",
+        body.modes.len(),
+        places.len()
+    ));
+    group.bench_function("from another place", |b| {
+        b.iter(|| black_box(map.from_place_db(black_box([0.3, 0.6]))));
+    });
+    group.bench_function("of another body", |b| {
+        b.iter(|| black_box(BodyMap::new(&Hearing::HUMAN, body, &places)));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, picture, map);
 criterion_main!(benches);

@@ -6,11 +6,15 @@ use super::ringing::{Ringing, hertz, seconds};
 use super::shown::Shown;
 use super::theme::{Theme, body, small};
 use crate::engine::Settings;
-use egui::{Align2, Galley, Rect, Ui, pos2, vec2};
+use egui::text::{LayoutJob, TextWrapping};
+use egui::{Galley, Rect, Ui, pos2, vec2};
 use std::sync::Arc;
 
 /// Height that it takes.
 pub(super) const CAPTION: f32 = 56.0;
+
+/// Width in the upper right corner that it leaves free.
+const CORNER: f32 = 68.0;
 
 /// What it tells of.
 pub(super) struct Told<'a> {
@@ -30,7 +34,9 @@ pub(super) struct Told<'a> {
 pub(super) fn caption(ui: &Ui, area: Rect, kind: Kind, told: &Told<'_>, theme: &Theme) {
     let painter = ui.painter().with_clip_rect(area);
     let at = area.left_top() + vec2(2.0, 0.0);
-    painter.text(at, Align2::LEFT_TOP, told.shown.title(), body(), theme.text);
+    let mut title = LayoutJob::simple_singleline(told.shown.title(), body(), theme.text);
+    title.wrap = TextWrapping::truncate_at_width(area.width() - CORNER);
+    painter.galley(at, painter.layout_job(title), theme.text);
     let fits = |galley: &Arc<Galley>| at.x + galley.size().x <= area.right();
     let blows = blows(kind, told).map(|text| painter.layout_no_wrap(text, small(), theme.quiet));
     let [.., shortest] = &blows;

@@ -2,7 +2,7 @@
 
 use super::link::Link;
 use super::reporter::Reporter;
-use super::saved::{ChosenField, Saved, SavedField};
+use super::saved::{ChosenField, MapField, Saved, SavedField};
 use super::window::Window;
 use super::windows::Windows;
 use crate::params::Controls;
@@ -26,6 +26,8 @@ struct Kept {
     controls: Arc<Controls>,
     #[persist = "window"]
     saved: SavedField,
+    #[persist = "map"]
+    map: MapField,
     #[persist = "preset"]
     chosen: ChosenField,
 }
@@ -36,6 +38,7 @@ impl Desk {
         Arc::new(Kept {
             controls: Arc::clone(controls),
             saved: SavedField(Arc::clone(&self.saved)),
+            map: MapField(Arc::clone(&self.saved)),
             chosen: ChosenField(Arc::clone(&self.saved)),
         })
     }
@@ -105,6 +108,20 @@ mod tests {
         assert_eq!(desk.saved.chosen(), Chosen::default());
         params.deserialize_fields(&fields);
         assert_eq!(desk.saved.chosen(), old);
+    }
+
+    #[test]
+    fn the_map_travels_with_the_song_and_an_older_song_leaves_it() {
+        let (desk, controls) = (Desk::default(), Arc::default());
+        let params = desk.params(&controls);
+        desk.saved.set_map(true);
+        let mut fields = params.serialize_fields();
+        desk.saved.set_map(false);
+        params.deserialize_fields(&fields);
+        assert!(desk.saved.map());
+        assert!(fields.remove("map").is_some());
+        params.deserialize_fields(&fields);
+        assert!(desk.saved.map());
     }
 
     #[test]

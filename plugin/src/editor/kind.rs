@@ -100,7 +100,7 @@ impl Noun {
 }
 
 /// Whether a flat body is a hundred times as long as wide.
-fn is_thread(body: &modes::Body) -> bool {
+pub(super) fn is_thread(body: &modes::Body) -> bool {
     body.surface.as_ref().is_some_and(|surface| {
         let widest = surface
             .points_m

@@ -1,4 +1,5 @@
-//! What of the editor is kept in the state: the window's size, its theme, and which preset was chosen.
+//! What of the editor is kept in the state: the window's size, its theme, whether the body carries its map, and
+//! which preset was chosen.
 
 use super::chosen::Chosen;
 use super::history::Past;
@@ -18,6 +19,7 @@ pub struct Saved {
     width: AtomicU32,
     height: AtomicU32,
     bright: AtomicBool,
+    map: AtomicBool,
     chosen: Mutex<Chosen>,
     /// While no window is open: what can be undone in the next. No part of the state.
     past: Mutex<Past>,
@@ -30,6 +32,7 @@ impl Default for Saved {
             width,
             height,
             bright: AtomicBool::new(false),
+            map: AtomicBool::new(false),
             chosen: Mutex::default(),
             past: Mutex::default(),
         }
@@ -66,6 +69,17 @@ impl Saved {
         self.bright.store(!dark, Ordering::Relaxed);
     }
 
+    /// Whether the map of timbre lies on the body.
+    #[must_use]
+    pub fn map(&self) -> bool {
+        self.map.load(Ordering::Relaxed)
+    }
+
+    /// Lays the map of timbre on the body, or takes it off.
+    pub fn set_map(&self, map: bool) {
+        self.map.store(map, Ordering::Relaxed);
+    }
+
     /// The preset that was chosen last.
     #[must_use]
     pub fn chosen(&self) -> Chosen {
@@ -99,6 +113,22 @@ impl PersistentField<'_, Words> for SavedField {
     {
         let [width, height] = self.0.size();
         f(&(width, height, self.0.dark()))
+    }
+}
+
+/// Whether the body carries its map, as a field of the state.
+pub(super) struct MapField(pub(super) Arc<Saved>);
+
+impl PersistentField<'_, bool> for MapField {
+    fn set(&self, map: bool) {
+        self.0.set_map(map);
+    }
+
+    fn map<F, R>(&self, f: F) -> R
+    where
+        F: Fn(&bool) -> R,
+    {
+        f(&self.0.map())
     }
 }
 
@@ -142,6 +172,15 @@ mod tests {
         assert!(!field.0.dark());
         field.set((900.0, 500.0, true));
         assert_eq!(field.map(|words| *words), (900.0, 500.0, true));
+    }
+
+    #[test]
+    fn the_map_stays_on_the_body() {
+        let (old, new) = (MapField(Arc::default()), MapField(Arc::default()));
+        assert!(!old.0.map());
+        old.0.set_map(true);
+        new.set(old.map(|map| *map));
+        assert!(new.0.map());
     }
 
     #[test]

@@ -100,6 +100,8 @@ pub(super) struct Theme {
     /// What is wrong or too loud.
     pub(super) alarm: Color32,
     causes: [Color32; 6],
+    /// From what is alike to what is not, lighter to darker; see [`super::ramp::Ramp`].
+    pub(super) ramp: [Color32; 3],
 }
 
 const fn rgb(hex: u32) -> Color32 {
@@ -126,6 +128,7 @@ impl Theme {
             rgb(0x00d6_a77c),
             rgb(0x008d_a0b3),
         ],
+        ramp: [rgb(0x00fe_c766), rgb(0x00d6_5c88), rgb(0x003e_3d9c)],
     };
 
     /// For bright rooms.
@@ -147,6 +150,7 @@ impl Theme {
             rgb(0x009a_6430),
             rgb(0x0056_6a7e),
         ],
+        ramp: [rgb(0x00f0_b13f), rgb(0x00c2_4173), rgb(0x002e_277d)],
     };
 
     pub(super) fn cause(&self, cause: Cause) -> Color32 {

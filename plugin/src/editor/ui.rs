@@ -283,6 +283,7 @@ impl Ui {
                         velocity: self.row.velocity / 127.0,
                         position: position.as_ref(),
                         across: across.as_ref(),
+                        saved: &self.saved,
                         setter,
                     };
                     let told = self.view.show(ui, area, &sight, &mut self.hands.hold);

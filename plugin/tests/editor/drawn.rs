@@ -41,7 +41,7 @@ pub(crate) fn star() -> Bank {
 }
 
 /// A bench on which the star plays.
-fn bench() -> Bench {
+pub(crate) fn bench() -> Bench {
     let bench = Bench::new("chimes");
     bench.controls.shelf().put(Own::new(star()).unwrap());
     bench.set("instr", 1.0);

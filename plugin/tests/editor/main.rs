@@ -13,6 +13,7 @@ mod focus;
 mod host;
 mod knobs;
 mod looks;
+mod map;
 mod menus;
 mod mesh;
 mod own;

@@ -4,6 +4,8 @@ mod bar;
 mod beam;
 mod drawn;
 mod edges;
+mod finer;
+mod nearest;
 mod revolve;
 mod space;
 mod struck;
@@ -19,6 +21,7 @@ use crate::engine::Partial;
 use beam::Beam;
 use drawn::Given;
 use edges::edges;
+use finer::Halved;
 use modes::{Material, ModeLabel};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -53,6 +56,18 @@ enum Motions {
     Turned(Turned),
     Beam(Beam),
     Given(Given),
+    Halved(Box<Halved>),
+}
+
+impl Motions {
+    fn motion(&self, mode: usize) -> Vec<Vector> {
+        match self {
+            Self::Turned(turned) => turned.motion(mode),
+            Self::Beam(beam) => beam.motion(mode),
+            Self::Given(given) => given.motion(mode),
+            Self::Halved(halved) => halved.motion(mode),
+        }
+    }
 }
 
 /// A surface without motion.
@@ -125,11 +140,7 @@ impl Solid {
     /// there is no such mode.
     #[must_use]
     pub fn motion(&self, mode: usize) -> Vec<Vector> {
-        match &self.motions {
-            Motions::Turned(turned) => turned.motion(mode),
-            Motions::Beam(beam) => beam.motion(mode),
-            Motions::Given(given) => given.motion(mode),
-        }
+        self.motions.motion(mode)
     }
 }
 

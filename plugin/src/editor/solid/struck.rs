@@ -1,5 +1,6 @@
 //! Which place of the strike grid a point of the surface is struck as, and where a place is.
 
+use super::nearest::Finder;
 use super::{Solid, Vector, add, between, dot, unit};
 use modes::StrikeGrid;
 
@@ -18,13 +19,16 @@ pub(super) struct Lines {
     pub(super) points_m: Vec<Vector>,
     pub(super) normals: Vec<Vector>,
     pub(super) grid: StrikeGrid,
+    finder: Finder,
 }
 
 impl Lines {
     pub(super) fn of(line: &modes::StrikeLine) -> Self {
         let single = |v: &[f64; 3]| v.map(|x| x as f32);
+        let points_m: Vec<Vector> = line.points_m.iter().map(single).collect();
         Self {
-            points_m: line.points_m.iter().map(single).collect(),
+            finder: Finder::of(&points_m),
+            points_m,
             normals: line.normals.iter().map(single).collect(),
             grid: line.grid(),
         }
@@ -44,13 +48,7 @@ impl Lines {
     /// The nearest place: that of the nearest point, and on from it as far as the way to its neighbours
     /// tells.
     fn nearest(&self, point: Vector) -> [f32; 2] {
-        let away = |on: &Vector| {
-            let apart = add(*on, -1.0, point);
-            dot(apart, apart)
-        };
-        let count = self.points_m.len();
-        let nearest =
-            (0..count).min_by(|a, b| away(&self.points_m[*a]).total_cmp(&away(&self.points_m[*b])));
+        let nearest = self.finder.nearest(&self.points_m, point);
         let (Some(nearest), StrikeGrid { columns, rows, .. }) = (nearest, self.grid) else {
             return [0.0; 2];
         };
@@ -132,6 +130,16 @@ fn cell(share: f32, steps: usize) -> (usize, f32) {
 }
 
 impl Solid {
+    /// What a blow on each of the points counts as: along and across the strike grid, 0…1.
+    #[must_use]
+    pub(crate) fn places_struck(&self) -> Vec<[f32; 2]> {
+        if self.places.is_empty() {
+            let points = self.points_m.iter();
+            return points.map(|point| self.lines.nearest(*point)).collect();
+        }
+        self.places.iter().map(|along| [*along, 0.0]).collect()
+    }
+
     /// What a blow on a triangle counts as, at a point with these shares of the corners.
     #[must_use]
     pub(crate) fn struck_as(&self, point_m: Vector, triangle: usize, shares: [f32; 3]) -> Place {

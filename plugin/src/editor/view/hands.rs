@@ -47,8 +47,7 @@ impl View {
             } else if response.double_clicked() {
                 self.portrait.camera = Camera::on(solid.kind);
             } else if response.clicked() && !ui.input(|input| input.pointer.any_released()) {
-                let set = sight.position.map_or(0.0, |param| param.plain() / 100.0);
-                self.touch(key, [set, sight.set_across()], sight);
+                self.touch(key, sight.set_place(), sight);
                 sight.link.touch(Touch::Release { key });
             }
             self.press = Press::Nothing;

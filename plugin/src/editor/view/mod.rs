@@ -2,14 +2,16 @@
 
 mod camera;
 mod hands;
+mod legend;
 mod marks;
 mod nodal;
 mod picture;
 mod portrait;
 mod shade;
 mod sway;
+mod timbre;
 
-pub use portrait::{Paint, Portrait, Swinging};
+pub use portrait::{Laid, Paint, Portrait, Swinging};
 
 use super::caption::{CAPTION, Told, caption, place};
 use super::figure::{key_name, tint};
@@ -18,13 +20,16 @@ use super::hold::Hold;
 use super::kind::Kind;
 use super::link::Link;
 use super::param::Param;
+use super::saved::Saved;
 use super::shown::Shown;
 use super::solid::{Place, Solid, Vector};
 use super::theme::{Cause, NEAR, Theme};
 use camera::Camera;
 use egui::{CursorIcon, Id, Rect, Role, Sense, Shape, Ui, WidgetInfo, pos2, vec2};
+use legend::{LEGEND, legend, switch};
 use marks::{Mark, controls, mark};
 use nice_plug::prelude::ParamSetter;
+use timbre::{FINE, Timbre};
 
 /// Density in kg/m³ from which a material shines as metals do.
 const SHINES: f64 = 2600.0;
@@ -38,14 +43,25 @@ pub(super) fn first_axes(kind: Kind) -> [Vector; 3] {
 
 /// What the panel remembers.
 pub(super) struct View {
-    /// Instrument and key of the body, and its surface.
-    solid: Option<(usize, u8, Solid)>,
+    /// The body, and its surface.
+    solid: Option<(Seen, Solid)>,
     portrait: Portrait,
+    /// The map of timbre on it, once it has been asked for.
+    timbre: Option<Timbre>,
     /// How far the picture exaggerates, 1 for well to be seen, 0 for not at all.
     motion: f32,
     press: Press,
     /// Where it was clicked last, and as which place.
     clicked: Option<(Vector, Place)>,
+}
+
+/// Which surface is seen.
+#[derive(Clone, Copy, PartialEq)]
+struct Seen {
+    instrument: usize,
+    key: u8,
+    /// Whether it is fine enough for a map.
+    fine: bool,
 }
 
 /// What the button that is held down does.
@@ -70,6 +86,8 @@ pub(super) struct Sight<'a, 'b> {
     pub(super) position: Option<&'a Param>,
     /// The place across.
     pub(super) across: Option<&'a Param>,
+    /// Whether the map lies on the body.
+    pub(super) saved: &'a Saved,
     pub(super) setter: &'a ParamSetter<'b>,
 }
 
@@ -82,6 +100,12 @@ impl Sight<'_, '_> {
     fn set_across(&self) -> f32 {
         self.across.map_or(0.0, |param| param.plain() / 100.0)
     }
+
+    /// Where notes strike, along and across.
+    fn set_place(&self) -> [f32; 2] {
+        let along = self.position.map_or(0.0, |param| param.plain() / 100.0);
+        [along, self.set_across()]
+    }
 }
 
 impl Default for View {
@@ -89,6 +113,7 @@ impl Default for View {
         Self {
             solid: None,
             portrait: Portrait::default(),
+            timbre: None,
             motion: 1.0,
             press: Press::Nothing,
             clicked: None,
@@ -105,9 +130,12 @@ impl View {
         sight: &Sight<'_, '_>,
         hold: &mut Hold,
     ) -> Option<String> {
-        let (key, solid) = self.follow(sight)?;
+        let (seen, solid) = self.follow(sight)?;
+        let key = seen.key;
         let top_left = pos2(area.left(), area.top() + CAPTION);
-        let stage = Rect::from_min_max(top_left, area.max - vec2(0.0, CONTROLS));
+        let above = Rect::from_min_max(area.min, area.max - vec2(0.0, CONTROLS));
+        let low = if sight.saved.map() { LEGEND } else { 0.0 };
+        let stage = Rect::from_min_max(top_left, above.max - vec2(0.0, low));
         let response = ui.interact(area, Id::unique("body"), Sense::click_and_drag());
         let name = format!("Body {}", key_name(key));
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
@@ -118,6 +146,14 @@ impl View {
         self.mark(ui, &solid, sight, on);
         caption(ui, area, solid.kind, &sight.told, sight.theme);
         controls(ui, area, &mut self.motion, solid.thicker, sight);
+        let apart_db = on.and_then(|(_, place)| self.apart_db(place, sight));
+        if sight.saved.map() {
+            legend(ui, above, apart_db, sight.theme);
+        }
+        if switch(ui, area, sight.saved.map(), sight.theme) {
+            sight.saved.set_map(!sight.saved.map());
+            ui.ctx().request_repaint();
+        }
         let cursor = match (self.press, on) {
             (Press::Turns, _) => CursorIcon::Grabbing,
             (_, Some(_)) => CursorIcon::PointingHand,
@@ -125,32 +161,58 @@ impl View {
         };
         response.on_hover_and_drag_cursor(cursor);
         let kind = solid.kind;
-        self.solid = Some((sight.instrument, key, solid));
+        self.solid = Some((seen, solid));
         hovered.map(|_| match on {
-            Some((_, at)) => format!("A click strikes here, {}", place(kind, at.along)),
+            Some((_, at)) => {
+                let here = place(kind, at.along);
+                let apart = apart_db.map_or_else(String::new, |db| {
+                    format!(
+                        ": partials {db:.1} dB louder or softer than where notes strike, on average"
+                    )
+                });
+                format!("A click strikes here, {here}{apart}")
+            }
             None => "Drag to turn the body, wheel to come nearer; a double click looks as at first"
                 .to_owned(),
         })
     }
 
-    /// The surface of the body that is shown; taken out, to be put back.
-    fn follow(&mut self, sight: &Sight<'_, '_>) -> Option<(u8, Solid)> {
-        let key = sight.shown().key;
+    /// The surface of the body that is shown, fine enough for a map if one is to lie on it; taken out, to be put
+    /// back.
+    fn follow(&mut self, sight: &Sight<'_, '_>) -> Option<(Seen, Solid)> {
+        let sought = Seen {
+            instrument: sight.instrument,
+            key: sight.shown().key,
+            fine: sight.saved.map(),
+        };
         let known = self.solid.take();
-        let instrument = known.as_ref().map(|(instrument, _, _)| *instrument);
-        if let Some((_, old, solid)) = known
-            && instrument == Some(sight.instrument)
-            && old == key
-        {
-            return Some((key, solid));
+        let before = known.as_ref().map(|(seen, _)| *seen);
+        if let Some((_, solid)) = known.filter(|(seen, _)| *seen == sought) {
+            return Some((sought, solid));
         }
         let bank = &sight.shown().bank;
-        let body = bank.bodies.iter().find(|body| body.key == key)?;
-        let solid = Solid::of(body, &bank.matter_of(body).material);
-        let other = instrument != Some(sight.instrument);
-        self.portrait.turn_to(&solid, other);
-        self.clicked = None;
-        Some((key, solid))
+        let body = bank.bodies.iter().find(|body| body.key == sought.key)?;
+        let mut solid = Solid::of(body, &bank.matter_of(body).material);
+        if sought.fine {
+            solid = solid.finer(FINE);
+        }
+        let same = |seen: &Seen| seen.instrument == sought.instrument;
+        self.portrait
+            .turn_to(&solid, !before.as_ref().is_some_and(same));
+        self.timbre = None;
+        if !before.is_some_and(|seen| same(&seen) && seen.key == sought.key) {
+            self.clicked = None;
+        }
+        Some((sought, solid))
+    }
+
+    /// By how many dB a partial of a blow there differs, on average, from where notes strike; nothing without the
+    /// map.
+    fn apart_db(&self, place: Place, sight: &Sight<'_, '_>) -> Option<f32> {
+        let timbre = self.timbre.as_ref().filter(|_| sight.saved.map())?;
+        let from = sight.set_place();
+        let across = place.across.unwrap_or(from[1]);
+        Some(timbre.apart_db(from, [place.along, across]))
     }
 
     fn paint(&mut self, ui: &Ui, area: Rect, solid: &Solid, sight: &Sight<'_, '_>) {
@@ -167,6 +229,7 @@ impl View {
             alone: sight.alone,
             times: self.motion,
         };
+        let map = mapped(&mut self.timbre, solid, sight);
         let passed_s = ui.input(|input| input.stable_dt).min(0.1);
         if self.portrait.swing(solid, area, &swinging, passed_s) {
             ui.ctx().request_repaint();
@@ -182,6 +245,7 @@ impl View {
                 if theme.dark { 0.08 } else { 0.0 },
             ),
             moving: [theme.glow, inwards],
+            map,
             ink: theme.text,
             metal: material.density_kg_m3 > SHINES,
             pixel: 1.0 / ui.ctx().pixels_per_point(),
@@ -201,8 +265,7 @@ impl View {
             .frame
             .struck
             .filter(|struck| struck.key == sight.shown().key);
-        let set = sight.position.map_or(0.0, |param| param.plain() / 100.0);
-        let (at, normal) = solid.at([set, sight.set_across()]);
+        let (at, normal) = solid.at(sight.set_place());
         mark(ui, lens, at, Some(normal), Mark::Set, sight.theme);
         if let Some(struck) = struck {
             let [along, across] = [struck.position, struck.across].map(|x| x as f32);
@@ -223,4 +286,22 @@ impl View {
             mark(ui, lens, at, None, Mark::Pointed, sight.theme);
         }
     }
+}
+
+/// The map of timbre, if it is to lie on the body.
+fn mapped<'a>(
+    timbre: &'a mut Option<Timbre>,
+    solid: &Solid,
+    sight: &Sight<'_, '_>,
+) -> Option<Laid<'a>> {
+    if !sight.saved.map() {
+        return None;
+    }
+    if timbre.is_none() {
+        let Shown { bank, key, .. } = sight.shown();
+        let body = bank.bodies.iter().find(|body| body.key == *key)?;
+        *timbre = Timbre::of(solid, body);
+    }
+    let timbre = timbre.as_mut()?;
+    Some(timbre.laid(sight.set_place(), sight.theme))
 }

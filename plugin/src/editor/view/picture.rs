@@ -28,6 +28,15 @@ enum Piece {
     Line(u32),
 }
 
+/// What is drawn along the edges of what is seen.
+#[derive(Clone, Copy)]
+pub(super) struct Rim {
+    /// Points to a pixel.
+    pub(super) pixel: f32,
+    /// How far the colour goes on before it fades, in points.
+    pub(super) beyond: f32,
+}
+
 /// A line on the surface, in m.
 pub(super) type Segment = [Vector; 2];
 
@@ -74,14 +83,14 @@ impl Picture {
         }
     }
 
-    /// The triangles to draw, lines on the surface among them; a pixel is so many points.
+    /// The triangles to draw, lines on the surface among them.
     pub(super) fn mesh(
         &mut self,
         solid: &Solid,
         colours: &[Color32],
         (lines, ink): (&[Segment], Color32),
         lens: &Lens,
-        pixel: f32,
+        rim: Rim,
     ) -> Mesh {
         for (number, [from, to]) in (0..).zip(lines) {
             let near_m = 0.5 * (lens.place(*from).1 + lens.place(*to).1);
@@ -103,10 +112,10 @@ impl Picture {
                 Piece::Triangle(number) => {
                     mesh.indices.extend(solid.triangles[number as usize]);
                 }
-                Piece::Edge(number) => self.soften(solid, number, pixel, &mut mesh),
+                Piece::Edge(number) => self.soften(solid, number, rim, &mut mesh),
                 Piece::Line(number) => {
                     let ends = lines[number as usize].map(|end| lens.place(end).0);
-                    stroke(ends, ink, pixel, &mut mesh);
+                    stroke(ends, ink, rim.pixel, &mut mesh);
                 }
             }
         }
@@ -114,7 +123,7 @@ impl Picture {
     }
 
     /// Lets the colour fade out beyond an edge of what is seen.
-    fn soften(&self, solid: &Solid, number: u32, pixel: f32, mesh: &mut Mesh) {
+    fn soften(&self, solid: &Solid, number: u32, rim: Rim, mesh: &mut Mesh) {
         let [from, to, one, other] = solid.edges[number as usize];
         let seen = if self.faces[one as usize] { one } else { other };
         let triangle = solid.triangles[seen as usize];
@@ -122,23 +131,16 @@ impl Picture {
         let inside = triangle.map(|i| self.at[i as usize].to_vec2());
         let middle = (inside[0] + inside[1] + inside[2]) / 3.0;
         let along = b - a;
-        let mut out = Vec2::new(along.y, -along.x).normalized() * SOFT * pixel;
+        let mut out = Vec2::new(along.y, -along.x).normalized();
         if out.dot(middle - a.to_vec2()) > 0.0 {
             out = -out;
         }
-        let first = mesh.vertices.len() as u32;
-        for (i, pos) in [(from, a), (to, b)] {
-            let color = mesh.vertices[i as usize].color;
-            for (pos, color) in [(pos, color), (pos + out, Color32::TRANSPARENT)] {
-                mesh.vertices.push(Vertex {
-                    pos,
-                    uv: WHITE_UV,
-                    color,
-                });
-            }
+        let ends = [(from, a), (to, b)].map(|(i, pos)| (pos, mesh.vertices[i as usize].color));
+        let bold = out * rim.beyond;
+        if rim.beyond > 0.0 {
+            band(ends, [Vec2::ZERO, bold], false, mesh);
         }
-        mesh.indices
-            .extend([0, 1, 2, 1, 3, 2].map(|i: u32| first + i));
+        band(ends, [bold, bold + out * SOFT * rim.pixel], true, mesh);
     }
 
     /// The triangle nearest to the eye at a place on the screen, and the shares of its corners.
@@ -163,6 +165,23 @@ impl Picture {
     }
 }
 
+/// What lies beside a line from one way off it to another, in the colours of its ends, which may fade there.
+fn band(ends: [(Pos2, Color32); 2], [near, far]: [Vec2; 2], fades: bool, mesh: &mut Mesh) {
+    let first = mesh.vertices.len() as u32;
+    for (pos, color) in ends {
+        let last = if fades { Color32::TRANSPARENT } else { color };
+        for (pos, color) in [(pos + near, color), (pos + far, last)] {
+            mesh.vertices.push(Vertex {
+                pos,
+                uv: WHITE_UV,
+                color,
+            });
+        }
+    }
+    mesh.indices
+        .extend([0, 1, 2, 1, 3, 2].map(|i: u32| first + i));
+}
+
 /// The shares of a triangle's corners in a place within it.
 fn shares([a, b, c]: [Pos2; 3], place: Pos2) -> Option<[f32; 3]> {
     let turn = |p: Pos2, q: Pos2, r: Pos2| (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
@@ -172,6 +191,13 @@ fn shares([a, b, c]: [Pos2; 3], place: Pos2) -> Option<[f32; 3]> {
     }
     let shares = [turn(b, c, place), turn(c, a, place), turn(a, b, place)].map(|x| x / area);
     shares.iter().all(|share| *share >= -1e-4).then_some(shares)
+}
+
+/// Colours of all points of a map under a light.
+pub(super) fn mapped(solid: &Solid, shade: &Shade, map: &[Color32], lens: &Lens) -> Vec<Color32> {
+    (solid.normals.iter().zip(map))
+        .map(|(normal, own)| shade.mapped(lens.direction(*normal), *own))
+        .collect()
 }
 
 /// Colours of all points under a light.

@@ -4,7 +4,7 @@ use super::super::kind::Kind;
 use super::super::solid::{Place, Solid, Vector, add};
 use super::camera::{Camera, Lens};
 use super::nodal::nodal_lines;
-use super::picture::{Picture, colours};
+use super::picture::{Picture, Rim, colours, mapped};
 use super::shade::Shade;
 use super::sway::Sway;
 use egui::{Color32, Mesh, Pos2, Rect};
@@ -24,17 +24,28 @@ pub struct Swinging<'a> {
 
 /// The colours of a picture.
 #[derive(Clone, Copy, Debug)]
-pub struct Paint {
+pub struct Paint<'a> {
     /// Of the body at rest.
     pub own: Color32,
     /// Of what moves outwards, and of what moves inwards.
     pub moving: [Color32; 2],
+    /// A map over it, if there is one, in place of the former two.
+    pub map: Option<Laid<'a>>,
     /// Of nodal lines.
     pub ink: Color32,
     /// Whether it shines as metals do.
     pub metal: bool,
     /// Points to a pixel.
     pub pixel: f32,
+}
+
+/// A map that lies on a body.
+#[derive(Clone, Copy, Debug)]
+pub struct Laid<'a> {
+    /// The colour of each point of the surface.
+    pub colours: &'a [Color32],
+    /// How far beyond the sides of the body it is drawn, in points, so that a thread's is seen.
+    pub beyond: f32,
 }
 
 /// What drawing one body after the other remembers.
@@ -90,12 +101,15 @@ impl Portrait {
 
     /// The triangles of the body as it last swung, the farthest first.
     #[must_use]
-    pub fn mesh(&mut self, solid: &Solid, swinging: &Swinging<'_>, paint: &Paint) -> Mesh {
+    pub fn mesh(&mut self, solid: &Solid, swinging: &Swinging<'_>, paint: &Paint<'_>) -> Mesh {
         let Some(lens) = self.lens else {
             return Mesh::default();
         };
         let shade = Shade::new(paint.own, paint.moving, paint.metal);
-        let colours = colours(solid, &shade, &self.sway.out, &lens);
+        let colours = match paint.map {
+            Some(map) => mapped(solid, &shade, map.colours, &lens),
+            None => colours(solid, &shade, &self.sway.out, &lens),
+        };
         let lines = match swinging.alone {
             Some(mode) => {
                 let motion = self.sway.motion(solid, mode).0.clone();
@@ -104,8 +118,11 @@ impl Portrait {
             None => Vec::new(),
         };
         let lines = (&lines[..], paint.ink);
-        self.picture
-            .mesh(solid, &colours, lines, &lens, paint.pixel)
+        let rim = Rim {
+            pixel: paint.pixel,
+            beyond: paint.map.map_or(0.0, |map| map.beyond),
+        };
+        self.picture.mesh(solid, &colours, lines, &lens, rim)
     }
 
     /// The point of the surface in m at a place on the screen, and what a blow there counts as.

@@ -34,6 +34,15 @@ impl Shade {
         }
     }
 
+    /// The colour of a map that lies on the surface where the normal is so: in a soft light, lest shade be taken
+    /// for what the map says.
+    pub(super) fn mapped(&self, normal: Vector, own: Color32) -> Color32 {
+        let light = 0.74 + 0.26 * dot(normal, self.lamp).max(0.0);
+        #[expect(clippy::cast_sign_loss, reason = "colours are not negative")]
+        let [r, g, b] = parts(own).map(|x| (light * x) as u8);
+        Color32::from_rgb(r, g, b)
+    }
+
     /// The colour where the normal is so for the eye and the surface moves so far along it, −1…1.
     pub(super) fn colour(&self, normal: Vector, out: f32) -> Color32 {
         let towards = if out < 0.0 { &self.in_ } else { &self.out };
