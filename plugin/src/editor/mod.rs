@@ -9,6 +9,7 @@ mod card;
 mod choice;
 mod chosen;
 mod desk;
+mod doors;
 mod figure;
 mod flat;
 mod frame;

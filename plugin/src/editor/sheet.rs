@@ -5,11 +5,9 @@ use crate::mesher::{Facts, Mesher, Phase, Quality, State, guessed_size_m};
 use crate::shelf::{Library, Shelf};
 use egui::{Align2, ComboBox, DragValue, ProgressBar, RichText, Ui, Window, vec2};
 use modes::{FreeFineness, MeshOrder, NAMED_MATERIALS};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// How a mesh's file ends.
-const EXTENSION: &str = "obj";
 /// Material of a new sheet.
 const USUAL: &str = "bell bronze";
 /// Wall of a new sheet as a share of the size.
@@ -22,7 +20,7 @@ const WIDE: f32 = 340.0;
 /// Tells the window that there is something new to draw.
 pub(super) type News = Arc<dyn Fn() + Send + Sync>;
 
-/// A file that was chosen, on its way from a dialog to the window.
+/// A mesh that was chosen, on its way to the sheet.
 #[derive(Clone, Default)]
 pub(super) struct Chosen(Arc<Mutex<Option<PathBuf>>>);
 
@@ -34,12 +32,6 @@ impl Chosen {
     fn take(&self) -> Option<PathBuf> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
-}
-
-/// Whether a file is a mesh by its name.
-pub(super) fn is_mesh(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|end| end.eq_ignore_ascii_case(EXTENSION))
 }
 
 /// What is chosen on the sheet.
@@ -112,7 +104,7 @@ impl Default for Sheet {
 }
 
 impl Sheet {
-    /// Where a dialog puts the mesh that was picked.
+    /// Where the mesh is put that comes onto it.
     pub(super) fn chosen(&self) -> Chosen {
         self.chosen.clone()
     }
