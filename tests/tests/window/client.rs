@@ -88,7 +88,8 @@ impl Client {
         connection
             .send_event(false, request.requestor, EventMask::NO_EVENT, answer)
             .unwrap();
-        connection.flush().unwrap();
+        // The screen forgets what a program that ends has said last.
+        connection.sync().unwrap();
     }
 
     /// Serves a text as that of a selection that is here, until it has been asked for.

@@ -13,6 +13,9 @@ const NOWHERE: [i16; 2] = [750, 640];
 /// The value below the knob of the mallet's mass.
 const MASS: [i16; 2] = [738, 536];
 
+/// A place in the field that a click there opens, beside the text.
+const FIELD: [u16; 2] = [770, 536];
+
 /// Keys, by Linux's codes plus 8.
 const CONTROL: u8 = 37;
 const ENTER: u8 = 36;
@@ -93,11 +96,13 @@ fn copy_and_paste() {
     let screen = Screen::open();
     let mut host = open(&screen);
     let copy = |host: &mut Host| {
+        let closed = screen.shoot();
         screen.click(MASS);
-        let is_copied = |_: &mut Host| {
-            screen.press(&[CONTROL, C]);
-            !Client::new().clipboard().is_empty()
-        };
+        let is_open = |_: &mut Host| !screen.shoot().is_as_at(&closed, FIELD);
+        assert!(soon(host, is_open), "there is a field to type in");
+        host.pump(Duration::from_millis(500));
+        screen.press(&[CONTROL, C]);
+        let is_copied = |_: &mut Host| !Client::new().clipboard().is_empty();
         assert!(soon(host, is_copied), "something is copied");
         Client::new().clipboard()
     };

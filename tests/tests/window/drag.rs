@@ -54,7 +54,7 @@ impl Drag {
     /// Takes the file away again.
     pub(crate) fn leave(self) {
         self.say("XdndLeave", [0; 4]);
-        // The screen forgets what a program that ends has said last.
+        // As in `Client::hand_over`.
         self.client.connection.sync().unwrap();
     }
 
