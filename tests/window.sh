@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Opens the editor on screens of its own: plays, resizes and reopens it, leaves it idle, brings it a bank, doubles
-# its pixels, and takes its OpenGL away. Wants Debian's xvfb, libegl1, libgl1-mesa-dri, libx11-xcb1 and
-# libxkbcommon-x11-0. The pictures are in target/tmp: window.png, list.png, fine-*.png and plain.png.
+# Opens the editor on screens of its own: plays, resizes and reopens it, leaves it idle, brings it a bank, drops
+# files on it, copies and pastes, doubles its pixels, and takes its OpenGL away. Wants Debian's xvfb, libegl1,
+# libgl1-mesa-dri, libx11-xcb1 and libxkbcommon-x11-0. The pictures are in target/tmp: window.png, list.png,
+# fine-*.png, plain.png, veil*.png and sheet*.png.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 data=$(mktemp -d)
@@ -21,7 +22,7 @@ run() {
 }
 
 screen 1100x800 +
-run a_window_opens a_window_in_which a_bank_put
+run a_window_opens a_window_in_which a_bank_put a_window_takes a_window_copies a_window_gives
 screen 2000x1360 +
 run a_window_on_a_fine_screen
 screen 1100x800 -

@@ -14,6 +14,8 @@ pub enum Subject {
     Song,
     /// A bank that was asked for.
     File,
+    /// Files that were dropped on the window.
+    Dropped,
     /// The window.
     Window,
 }

@@ -1,5 +1,6 @@
 //! Tunings from files.
 
+use super::lines::decode;
 use super::{KeyboardMap, ScalaError, Scale, Tuning, TuningFileError};
 use std::fs::File;
 use std::io::{self, Read};
@@ -17,6 +18,15 @@ impl Scale {
     pub fn load(path: &Path) -> Result<Self, TuningFileError> {
         load(path, Self::parse)
     }
+
+    /// The text of the `.scl` file at `path`, in which [`Self::parse`] finds a scale.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::load`].
+    pub fn load_text(path: &Path) -> Result<String, TuningFileError> {
+        load(path, |file| Self::parse(file).map(|_| decode(file)))
+    }
 }
 
 impl KeyboardMap {
@@ -27,6 +37,15 @@ impl KeyboardMap {
     /// If the file cannot be read or [`Self::parse`] refuses it.
     pub fn load(path: &Path) -> Result<Self, TuningFileError> {
         load(path, Self::parse)
+    }
+
+    /// The text of the `.kbm` file at `path`, in which [`Self::parse`] finds a map.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::load`].
+    pub fn load_text(path: &Path) -> Result<String, TuningFileError> {
+        load(path, |file| Self::parse(file).map(|_| decode(file)))
     }
 }
 

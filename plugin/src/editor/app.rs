@@ -3,10 +3,9 @@
 use super::saved::Saved;
 use super::ui::Ui;
 use super::windows::{Open, Windows};
+use baseview::WindowSize;
 use egui::{Vec2, ViewportCommand, vec2};
 use nice_plug::context::gui::GuiContext;
-use nice_plug_egui::NiceEguiApp;
-use nice_plug_egui::baseview::{HandlerError, WindowSize};
 use std::sync::Arc;
 
 /// Frames within which a host may give a new window the size that it asks for.
@@ -71,25 +70,5 @@ impl App {
             self.saved
                 .set_size([logical.width as f32, logical.height as f32]);
         }
-    }
-}
-
-impl NiceEguiApp for App {
-    fn build(
-        &mut self,
-        _egui_ctx: egui::Context,
-        _context: GuiContext,
-        _frame: &mut nice_plug_egui::Frame,
-    ) -> Result<(), HandlerError> {
-        self.undress();
-        Ok(())
-    }
-
-    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut nice_plug_egui::Frame) {
-        self.show(ui);
-    }
-
-    fn resized(&mut self, size: WindowSize) {
-        self.size(size);
     }
 }

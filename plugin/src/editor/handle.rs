@@ -1,30 +1,22 @@
 //! What a host does with a window.
 
 use super::windows::Windows;
+use baseview::Error;
 use nice_plug::editor::dpi::NativeSize;
 use nice_plug::editor::{EditorHandle, ParentWindowHandle, ResizeHint};
-use nice_plug_egui::EguiEditorHandle;
-use nice_plug_egui::baseview::{self, Error};
 use std::sync::Arc;
 
 /// A window that OpenGL draws, or the processor.
 pub struct Handle {
     windows: Arc<Windows>,
     hint: ResizeHint,
-    /// What the framework keeps for as long as OpenGL draws.
-    _opengl: Option<EguiEditorHandle>,
 }
 
 impl Handle {
-    pub(super) fn new(
-        windows: &Arc<Windows>,
-        hint: ResizeHint,
-        opengl: Option<EguiEditorHandle>,
-    ) -> Self {
+    pub(super) fn new(windows: &Arc<Windows>, hint: ResizeHint) -> Self {
         Self {
             windows: Arc::clone(windows),
             hint,
-            _opengl: opengl,
         }
     }
 }

@@ -1,9 +1,11 @@
 //! The list of instruments: the factory's, those in the user's folder, and ways to bring more.
 
 use super::choice::{closed, place, stepped};
+use super::doors::Picked;
 use super::param::Param;
-use super::sheet::{News, Sheet, is_mesh};
+use super::sheet::{News, Sheet};
 use super::theme::{Theme, small};
+use super::ware::Ware;
 use crate::mesher::Places;
 use crate::notices::{Cure, Notice, Notices, Subject};
 use crate::params::Controls;
@@ -26,8 +28,8 @@ const LIST: f32 = 210.0;
 /// Room that the list leaves below itself in the window.
 const BELOW: f32 = 24.0;
 /// What the list's last lines do.
-const IMPORT: &str =
-    "Takes a bank from anywhere into the song, and a copy into the folder; or makes one of a mesh";
+const IMPORT: &str = "Takes banks, meshes, scales, keyboard maps and presets from anywhere, as dropping them on \
+                      the window does";
 const SHOW: &str = "Opens the folder; banks that are put there come into this list";
 /// Folder of banks in the user's.
 const FOLDER: &str = "Banks";
@@ -38,6 +40,7 @@ pub struct Instruments {
     library: Arc<Library>,
     librarian: Option<Librarian>,
     sheet: Sheet,
+    picked: Picked,
 }
 
 impl Instruments {
@@ -48,6 +51,7 @@ impl Instruments {
             library: Arc::new(Library::new(folder)),
             librarian: None,
             sheet: Sheet::default(),
+            picked: Picked::default(),
         }
     }
 
@@ -77,7 +81,7 @@ impl Instruments {
 
     /// Takes a file: a bank is loaded, a mesh comes onto the sheet.
     pub fn open(&self, path: PathBuf) {
-        if is_mesh(&path) {
+        if Ware::of(&path) == Some(Ware::Mesh) {
             self.sheet.chosen().put(path);
         } else {
             self.library.ask(path);
@@ -87,6 +91,11 @@ impl Instruments {
     /// Has what plays as a preview built in full quality, on the sheet.
     pub(super) fn finish(&self, order: &MeshOrder) {
         self.sheet.finish(order.clone());
+    }
+
+    /// Files that were chosen in the dialog.
+    pub(super) fn picked(&self) -> &Picked {
+        &self.picked
     }
 
     /// Draws the sheet of a mesh, if one is open.
@@ -141,30 +150,29 @@ impl Instruments {
         }
     }
 
-    /// Asks the system for a file, on a thread of its own; whatever comes is loaded.
+    /// Asks the system for files, on a thread of its own; whatever comes is taken as if it were dropped.
     fn import(&self) {
+        let ends = Ware::ALL.map(|(_, end)| end);
         let dialog = rfd::AsyncFileDialog::new()
-            .set_title("A bank or a mesh for Idiophone")
-            .add_filter("Banks and meshes", &["bank", "obj"]);
+            .set_title("Files for Idiophone")
+            .add_filter("Banks, meshes, scales, keyboard maps, presets", &ends);
         // Made here, because some systems want that on the window's thread.
-        let picked = dialog.pick_file();
-        let library = Arc::clone(&self.library);
+        let picked = dialog.pick_files();
         let notices = Arc::clone(self.notices());
-        let (chosen, news) = (self.sheet.chosen(), Arc::clone(&self.sheet.news));
+        let (waiting, news) = (self.picked.clone(), Arc::clone(&self.sheet.news));
         let asked = Instant::now();
         // Without a thread to be had, there is still the folder.
         let _ = thread::Builder::new()
             .name("idiophone dialog".to_owned())
             .spawn(move || match pollster::block_on(picked) {
-                Some(file) if is_mesh(file.path()) => {
-                    chosen.put(file.path().to_path_buf());
+                Some(files) => {
+                    waiting.put(files.iter().map(|file| file.path().to_path_buf()));
                     news();
                 }
-                Some(file) => library.ask(file.path().to_path_buf()),
                 None if asked.elapsed() < CANCEL => notices.post(Notice {
                     subject: Subject::File,
-                    text: "This desktop has no file dialog for plug-ins (xdg-desktop-portal): put the bank \
-                           into the folder, and it is in the list."
+                    text: "This desktop has no file dialog for plug-ins (xdg-desktop-portal): drop files on the \
+                           window, or put banks and meshes into the folder, and they are in the list."
                         .to_owned(),
                     cure: Some(Cure::Load(String::new())),
                 }),
@@ -303,7 +311,7 @@ impl List<'_> {
             }
         }
         ui.separator();
-        if self.line(ui, false, "Import a bank or a mesh…".to_owned(), IMPORT) {
+        if self.line(ui, false, "Import…".to_owned(), IMPORT) {
             wanted = Some(Wanted::Import);
         }
         if of.library.folder().is_some() && self.line(ui, false, "Show the folder".to_owned(), SHOW)

@@ -4,11 +4,9 @@ use super::theme::{Theme, small};
 use crate::mesher::{Facts, Mesher, Phase, Places, Quality, State, guessed_size_m};
 use egui::{Align2, ComboBox, DragValue, ProgressBar, RichText, Ui, Window, vec2};
 use modes::{FreeFineness, MeshOrder, NAMED_MATERIALS};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// How a mesh's file ends.
-const EXTENSION: &str = "obj";
 /// Material of a new sheet.
 const USUAL: &str = "bell bronze";
 /// Wall of a new sheet as a share of the size.
@@ -39,12 +37,6 @@ impl<T> Chosen<T> {
     fn take(&self) -> Option<T> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
-}
-
-/// Whether a file is a mesh by its name.
-pub(super) fn is_mesh(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|end| end.eq_ignore_ascii_case(EXTENSION))
 }
 
 /// What is chosen on the sheet.

@@ -1,6 +1,7 @@
 //! Everything that the window shows, without the window.
 
 use super::caption::Told;
+use super::doors::{Doors, Rooms};
 use super::figure::key_name;
 use super::frame::Frame;
 use super::hands::Hands;
@@ -56,6 +57,7 @@ pub struct Ui {
     blow: Blow,
     spectrum: Spectrum,
     instruments: Instruments,
+    doors: Doors,
     /// The theme that egui has been told of.
     dressed: Option<bool>,
 }
@@ -86,6 +88,7 @@ impl Ui {
             trimming: Trimming::default(),
             blow: Blow::default(),
             spectrum: Spectrum::default(),
+            doors: Doors::default(),
             dressed: None,
         }
     }
@@ -166,6 +169,11 @@ impl Ui {
         if let Some(param) = &instrument {
             self.instruments.arrive(param, setter);
         }
+        let rooms = Rooms {
+            instruments: &self.instruments,
+            session: &mut self.session,
+        };
+        self.doors.show(ui, rooms, &theme, setter);
         self.instruments.show_sheet(ui, &theme);
         let now_s = ui.input(|input| input.time);
         self.session.listen(now_s, false);
@@ -173,7 +181,7 @@ impl Ui {
         let body_hint = self.middle(ui, &places, index, &theme, setter);
         self.session.listen(now_s, true);
         self.session.trimmed(self.trimming.ended(), now_s);
-        let hint = row_hint.or(body_hint);
+        let hint = self.doors.told(ui).or(row_hint).or(body_hint);
         self.pages.follow(index, &self.shown.bank);
         self.pages.show(
             ui,

@@ -3,7 +3,7 @@
 use super::app::App;
 use super::handle::Handle;
 use super::link::Link;
-use super::plain::{Plain, Wanted};
+use super::pane::{Hosted, Means, Pane, Wanted};
 use super::saved::{LEAST_SIZE, Saved};
 use super::ui::Ui;
 use super::windows::Windows;
@@ -14,7 +14,6 @@ use nice_plug::editor::dpi::{LogicalSize, NativeSize, Size};
 use nice_plug::editor::{
     Editor, HostMethods, ParentWindowHandle, ResizeHint, SizeConstraints, SpawnedEditor,
 };
-use nice_plug_egui::{EguiEditorState, EguiNiceSettings, create_egui_editor};
 use std::error::Error;
 use std::sync::Arc;
 
@@ -103,43 +102,35 @@ impl Editor for Window {
         gui_context: GuiContext,
         host: Option<HostMethods>,
     ) -> Result<SpawnedEditor<Self::Handle>, Box<dyn Error>> {
-        let opengl = create_egui_editor(
-            EguiEditorState::from_size(self.logical(), 1.0),
-            self.windows.notifier(),
-            EguiNiceSettings::new()
-                .with_tile("Idiophone")
-                .with_resize_hint(hint()),
-            self.app(gui_context.clone()),
-        )
-        .ok_or("no editor")?
-        .spawn(
+        let wanted = Wanted {
             parent,
             wait_for_parent,
-            fallback_scale_factor,
-            gui_context.clone(),
-            host,
-        );
+            scale: fallback_scale_factor,
+            size: self.logical(),
+        };
+        let host = host.map(Hosted::new);
+        let open = |means| {
+            let app = self.app(gui_context.clone());
+            Pane::open(wanted.clone(), means, app, &self.windows, host.as_ref())
+        };
+        let opengl = open(Means::OpenGl);
         self.tell(opengl.is_ok());
-        let (handle, window) = match opengl {
-            Ok(editor) => (Some(editor.handle), editor.window),
+        let window = match opengl {
+            Ok(window) => window,
             Err(error) => {
                 nice_plug::nice_warn!("{NO_OPENGL} ({error})");
-                let wanted = Wanted {
-                    parent,
-                    wait_for_parent,
-                    scale: fallback_scale_factor,
-                    size: self.logical(),
-                };
-                let app = self.app(gui_context);
-                (None, Plain::open(wanted, app, &self.windows)?)
+                open(Means::Processor)?
             }
         };
+        if let Some(host) = &host {
+            host.opened();
+        }
         // Hosts ask for the size next; where the system tells no scale the window goes by theirs.
         let system = window.size().scale_factor;
-        let host = fallback_scale_factor.filter(|_| system == 1.0);
-        self.windows.see(host.unwrap_or(system));
+        let told = fallback_scale_factor.filter(|_| system == 1.0);
+        self.windows.see(told.unwrap_or(system));
         Ok(SpawnedEditor {
-            handle: Handle::new(&self.windows, hint(), handle),
+            handle: Handle::new(&self.windows, hint()),
             window,
         })
     }

@@ -1,14 +1,12 @@
 //! What is known of an instance's windows.
 
-use nice_plug_egui::RepaintNotifier;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 
 /// Shared by an instance and its windows.
 pub(crate) struct Windows {
     open: AtomicUsize,
-    notifier: RepaintNotifier,
-    /// The same for a window that has no such notifier.
+    /// There is something new to draw.
     news: AtomicBool,
     /// Pixels to a point when a window was last seen.
     scale: AtomicU32,
@@ -18,7 +16,6 @@ impl Default for Windows {
     fn default() -> Self {
         Self {
             open: AtomicUsize::new(0),
-            notifier: RepaintNotifier::new(),
             news: AtomicBool::new(false),
             scale: AtomicU32::new(1f32.to_bits()),
         }
@@ -33,13 +30,7 @@ impl Windows {
 
     /// There is something new to draw; for any thread.
     pub(crate) fn repaint(&self) {
-        self.notifier.request_repaint();
         self.news.store(true, Ordering::Relaxed);
-    }
-
-    /// What [`Self::repaint`] tells.
-    pub(super) fn notifier(&self) -> RepaintNotifier {
-        self.notifier.clone()
     }
 
     /// Whether there has been something new to draw since last asked.

@@ -75,7 +75,7 @@ fn read(path: &Path, len: u64) -> Result<Card, OwnError> {
 }
 
 /// The last part of a path.
-pub(super) fn file_name(path: &Path) -> String {
+fn file_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default();
     name.to_string_lossy().into_owned()
 }

@@ -1,6 +1,8 @@
 //! Why a bank cannot be the user's own instrument.
 
 use modes::{BankError, BankFileError};
+use std::io;
+use std::path::PathBuf;
 use thiserror::Error;
 
 /// What is wrong with it, and what would help.
@@ -9,6 +11,14 @@ pub enum OwnError {
     /// Its file.
     #[error(transparent)]
     File(#[from] BankFileError),
+    /// No copy of its file, or of a mesh's, can be kept.
+    #[error("{}: cannot be copied into your folder of banks: {error}", path.display())]
+    Copy {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
     /// Its content, in a song.
     #[error("\"{title}\": {error}")]
     Bank {

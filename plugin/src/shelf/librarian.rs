@@ -11,7 +11,7 @@ const PAUSE: Duration = Duration::from_secs(1);
 
 /// What a librarian has to say.
 pub(crate) enum Said<'a> {
-    /// Why a bank that was asked for does not come.
+    /// Why a bank that was asked for, or a copy, does not come.
     Refused(&'a OwnError),
     /// The file of the bank that was taken last holds another now.
     Renewed(&'a Card),
@@ -41,12 +41,16 @@ impl Librarian {
                 if let Some(Err(error)) = &served {
                     say(&Said::Refused(error));
                 }
+                let taken_in = library.take_in();
+                for error in taken_in.iter().flatten() {
+                    say(&Said::Refused(error));
+                }
                 let changed = library.refresh();
                 let renewed = library.renewed();
                 if let Some(card) = &renewed {
                     say(&Said::Renewed(card));
                 }
-                if changed || renewed.is_some() || served.is_some() {
+                if changed || renewed.is_some() || served.is_some() || taken_in.is_some() {
                     news();
                 }
                 thread::park_timeout(PAUSE);

@@ -1,6 +1,6 @@
 //! The user's folder of banks, and what is taken out of it.
 
-use super::entry::{Card, Entry, Stamp, file_name};
+use super::entry::{Card, Entry, Stamp};
 use super::{Own, OwnError, Shelf};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,6 +24,8 @@ pub struct Library {
     entries: Mutex<Arc<[Entry]>>,
     meshes: Mutex<Arc<[PathBuf]>>,
     wanted: Mutex<Option<PathBuf>>,
+    /// What the folder is to have too.
+    pub(super) offered: Mutex<Vec<PathBuf>>,
     /// Who does the work.
     worker: Mutex<Option<Thread>>,
     /// The file of the folder that was taken last, and how it was then.
@@ -41,6 +43,7 @@ impl Library {
             entries: Mutex::new(Arc::new([])),
             meshes: Mutex::new(Arc::new([])),
             wanted: Mutex::default(),
+            offered: Mutex::default(),
             worker: Mutex::default(),
             taken: Mutex::default(),
             arrived: AtomicBool::new(false),
@@ -78,6 +81,11 @@ impl Library {
     /// Asks for the bank in a file, instead of the one asked for before.
     pub fn ask(&self, path: PathBuf) {
         *lock(&self.wanted) = Some(path);
+        self.wake();
+    }
+
+    /// Has what was asked for done.
+    pub(super) fn wake(&self) {
         if let Some(worker) = &*lock(&self.worker) {
             worker.unpark();
         }
@@ -173,14 +181,20 @@ impl Library {
         (old != entry.stamp).then(|| card.clone())
     }
 
+    /// Whether a file is a bank by its name.
+    pub(super) fn is_bank(path: &Path) -> bool {
+        path.extension()
+            .is_some_and(|end| end.eq_ignore_ascii_case(EXTENSION))
+    }
+
     /// Copies a file into the folder, under a name that is free there.
-    fn copy(&self, path: &Path) -> std::io::Result<()> {
+    pub(super) fn copy(&self, path: &Path) -> std::io::Result<()> {
         if self.folder.is_none() || path.parent() == self.folder() {
             return Ok(());
         }
-        let name = file_name(path);
-        let stem = name.strip_suffix(".bank").unwrap_or(&name);
-        self.keep(stem, &fs::read(path)?)
+        let [stem, end] = [path.file_stem(), path.extension()]
+            .map(|part| part.unwrap_or_default().to_string_lossy().into_owned());
+        self.keep_as(&stem, &end, &fs::read(path)?)
     }
 
     /// Puts a bank's file into the folder, under a name that is free there; nowhere, without a folder.
@@ -189,12 +203,16 @@ impl Library {
     ///
     /// If the system refuses.
     pub fn keep(&self, stem: &str, content: &[u8]) -> std::io::Result<()> {
+        self.keep_as(stem, EXTENSION, content)
+    }
+
+    fn keep_as(&self, stem: &str, end: &str, content: &[u8]) -> std::io::Result<()> {
         let Some(folder) = &self.folder else {
             return Ok(());
         };
         fs::create_dir_all(folder)?;
-        let names = std::iter::once(format!("{stem}.{EXTENSION}"))
-            .chain((2..1000).map(|number| format!("{stem}-{number}.{EXTENSION}")));
+        let names = std::iter::once(format!("{stem}.{end}"))
+            .chain((2..1000).map(|number| format!("{stem}-{number}.{end}")));
         for name in names {
             let there = folder.join(name);
             match fs::read(&there) {
@@ -207,7 +225,7 @@ impl Library {
     }
 }
 
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

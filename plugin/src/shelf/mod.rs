@@ -8,6 +8,7 @@ mod error;
 #[cfg(feature = "gui")]
 mod librarian;
 mod library;
+mod offer;
 mod own;
 mod packed;
 mod shelved;

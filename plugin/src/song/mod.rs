@@ -133,7 +133,7 @@ fn title(error: &OwnError) -> String {
         | OwnError::Large { title, .. }
         | OwnError::Newer { title, .. }
         | OwnError::Damaged { title, .. } => title.clone(),
-        OwnError::File(_) => String::new(),
+        OwnError::File(_) | OwnError::Copy { .. } => String::new(),
     }
 }
 

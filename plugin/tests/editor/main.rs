@@ -8,6 +8,7 @@ mod bench;
 mod bodies;
 mod body;
 mod browsing;
+mod doors;
 mod drawn;
 mod focus;
 mod host;

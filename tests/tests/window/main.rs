@@ -3,6 +3,9 @@
 #![cfg(target_os = "linux")]
 #![expect(clippy::unwrap_used, reason = "tests fail by panicking")]
 
+mod client;
+mod doors;
+mod drag;
 mod host;
 mod screen;
 

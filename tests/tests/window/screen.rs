@@ -5,9 +5,10 @@ use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;
 use x11rb::connection::Connection as _;
+use x11rb::protocol::xfixes::ConnectionExt as _;
 use x11rb::protocol::xproto::{
     AtomEnum, BUTTON_PRESS_EVENT, BUTTON_RELEASE_EVENT, ConnectionExt as _, CreateWindowAux,
-    ImageFormat, MOTION_NOTIFY_EVENT, PropMode, WindowClass,
+    ImageFormat, KEY_PRESS_EVENT, KEY_RELEASE_EVENT, MOTION_NOTIFY_EVENT, PropMode, WindowClass,
 };
 use x11rb::protocol::xtest::ConnectionExt as _;
 use x11rb::rust_connection::RustConnection;
@@ -81,12 +82,39 @@ impl Screen {
             (BUTTON_PRESS_EVENT, 1),
             (BUTTON_RELEASE_EVENT, 1),
         ] {
-            self.connection
-                .xtest_fake_input(kind, detail, 0, self.root, x, y, 0)
-                .unwrap();
-            self.connection.sync().unwrap();
-            std::thread::sleep(std::time::Duration::from_millis(50));
+            self.fake(kind, detail, [x, y]);
         }
+    }
+
+    /// Moves the pointer.
+    pub(crate) fn point(&self, [x, y]: [i16; 2]) {
+        self.fake(MOTION_NOTIFY_EVENT, 0, [x, y]);
+    }
+
+    /// Presses keys together, by the codes that Linux gives them plus 8, and lets them go.
+    pub(crate) fn press(&self, keys: &[u8]) {
+        for key in keys {
+            self.fake(KEY_PRESS_EVENT, *key, [0, 0]);
+        }
+        for key in keys.iter().rev() {
+            self.fake(KEY_RELEASE_EVENT, *key, [0, 0]);
+        }
+    }
+
+    fn fake(&self, kind: u8, detail: u8, [x, y]: [i16; 2]) {
+        self.connection
+            .xtest_fake_input(kind, detail, 0, self.root, x, y, 0)
+            .unwrap();
+        self.connection.sync().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+
+    /// A number that changes with the pointer's shape.
+    pub(crate) fn pointer(&self) -> u32 {
+        let fixes = &self.connection;
+        fixes.xfixes_query_version(4, 0).unwrap().reply().unwrap();
+        let asked = fixes.xfixes_get_cursor_image().unwrap();
+        asked.reply().unwrap().cursor_serial
     }
 
     /// Takes a picture of the window and of what is in it.
@@ -117,6 +145,12 @@ impl Shot {
     pub(crate) fn is_drawn(&self, [x, y]: [u16; 2]) -> bool {
         let at = usize::from(y) * usize::from(self.size[0]) + usize::from(x);
         self.rgb[3 * at..][..3] != [0; 3]
+    }
+
+    /// Whether there is the same at a place as in another picture.
+    pub(crate) fn is_as_at(&self, other: &Self, [x, y]: [u16; 2]) -> bool {
+        let at = 3 * (usize::from(y) * usize::from(self.size[0]) + usize::from(x));
+        self.rgb[at..][..3] == other.rgb[at..][..3]
     }
 
     /// Writes a PNG.

@@ -3,6 +3,8 @@
 use super::super::chosen::Chosen;
 use super::session::Session;
 use crate::presets::{Broken, Card, Origin, Preset, Sound};
+use nice_plug::prelude::ParamSetter;
+use std::path::Path;
 
 impl Session {
     /// The card to save under: the chosen one's, as far as it is the user's to sign.
@@ -48,6 +50,21 @@ impl Session {
             tuned: !preset.sound.scala.is_empty(),
         });
         Ok(())
+    }
+
+    /// Keeps a preset from elsewhere among the user's, and loads it if that is wanted; its name.
+    pub(in super::super) fn bring(
+        &mut self,
+        from: &Path,
+        load: bool,
+        setter: &ParamSetter<'_>,
+    ) -> Result<String, Broken> {
+        let origin = self.library.import(from)?;
+        if load {
+            self.choose(&origin, setter);
+        }
+        let entry = self.library.find(&origin);
+        Ok(entry.map_or_else(String::new, |entry| entry.name().to_owned()))
     }
 
     /// Gives one of the user's presets another name; it stays chosen.

@@ -129,7 +129,7 @@ impl Session {
         self.controls.trims()
     }
 
-    pub(super) fn scala(&self) -> Scala {
+    pub(in super::super) fn scala(&self) -> Scala {
         let texts = self.controls.tuning();
         Scala {
             scale: texts.scale(),

@@ -1,9 +1,12 @@
 //! Going from one sound to another, back and forth.
 
+use super::super::chosen::Chosen;
 use super::super::history::{Side, Step};
 use super::super::log::Change;
 use super::super::param::Param;
 use super::session::Session;
+use crate::params::body::INSTRUMENT;
+use crate::presets::Scala;
 use egui::{Key, Modifiers, Ui};
 use nice_plug::prelude::ParamSetter;
 
@@ -50,6 +53,23 @@ impl Session {
         self.past.heard = heard;
     }
 
+    /// Tunes by other texts, in one step; the tuning is the song's own from now on.
+    pub(in super::super) fn tune(&mut self, to: &Scala, name: String, setter: &ParamSetter<'_>) {
+        let (from, chosen) = (self.scala(), self.chosen());
+        let kept = Chosen {
+            tuned: false,
+            ..chosen.clone()
+        };
+        let step = Step {
+            name,
+            scala: Some([from, to.clone()]),
+            chosen: Some([chosen, kept]),
+            ..Step::default()
+        };
+        self.step(&step, 1, setter);
+        self.past.history.push(step);
+    }
+
     /// Takes a step back (0) or forward (1).
     fn step(&mut self, step: &Step, way: usize, setter: &ParamSetter<'_>) {
         for change in &step.changes {
@@ -59,6 +79,10 @@ impl Session {
         }
         if let Some(scala) = &step.scala {
             self.set_scala(&scala[way]);
+            // Texts are no parameters: this tells the host that the song has changed.
+            if let Some(same) = self.param(INSTRUMENT.id) {
+                same.jump(setter, same.value());
+            }
         }
         if let Some(trims) = &step.trims {
             self.trims().set_list(&trims[way]);
