@@ -4,7 +4,7 @@
 //! out, since the same motion sounds a little different from another shape.
 
 use super::{GRID, Stage};
-use crate::engine::Engine;
+use crate::engine::{Engine, Outputs, Room};
 use crate::maker::{Drawing, Order};
 use crate::workshop::{Bench, Ready};
 
@@ -54,23 +54,23 @@ impl Handover {
     }
 
     /// Fades from the old drawing to the new, which has rendered.
-    pub(super) fn mix(&mut self, left: &mut [f32], right: &mut [f32]) {
+    pub(super) fn mix(&mut self, out: &mut Outputs<'_>) {
         let Some(last) = self.last.as_mut().filter(|last| last.left > 0) else {
             return;
         };
-        let frames = last.left.min(left.len()).min(right.len());
-        let mut old = [[0.0; GRID]; 2];
-        let chunks = left[..frames].chunks_mut(GRID);
-        for (left, right) in chunks.zip(right[..frames].chunks_mut(GRID)) {
-            let [a, b] = &mut old;
-            last.engine
-                .process(&mut a[..left.len()], &mut b[..left.len()]);
-            for i in 0..left.len() {
-                let share = last.left as f32 / last.all as f32;
-                left[i] += share * (a[i] - left[i]);
-                right[i] += share * (b[i] - right[i]);
-                last.left -= 1;
+        let frames = last.left.min(out.frames());
+        for done in (0..frames).step_by(GRID) {
+            let mut part = out.part(done..frames.min(done + GRID));
+            let mut old = Room::<GRID>::new();
+            last.engine.render(&mut old.like(&part));
+            for (output, sides) in part.each() {
+                for (new, old) in sides.into_iter().zip(old.pair(output)) {
+                    for ((new, old), left) in new.iter_mut().zip(old).zip((0..=last.left).rev()) {
+                        *new += left as f32 / last.all as f32 * (old - *new);
+                    }
+                }
             }
+            last.left -= part.frames();
         }
     }
 }

@@ -3,6 +3,7 @@
 mod across;
 mod hands;
 mod motor;
+mod outputs;
 mod partials;
 mod real_time;
 mod ringing;

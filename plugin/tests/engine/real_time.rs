@@ -2,7 +2,7 @@
 
 use crate::support::{Random, chimes};
 use idiophone::engine::{
-    Bow, Discs, Engine, Hold, Listener, Losses, Mallet, OUTPUT_BOUND, Settings, Tweak,
+    Bow, Discs, Engine, Hold, Listener, Losses, Mallet, OUTPUT_BOUND, Settings, Split, Tweak,
 };
 use modes::{Damping, Rayleigh};
 use nice_assert_no_alloc::assert_no_alloc;
@@ -151,6 +151,7 @@ fn anything_at_all_leaves_the_output_finite_and_bounded() {
                     swing: wild(&mut random, 1.0),
                     sympathy: wild(&mut random, 1.0),
                     limiter: random.below(2) == 0,
+                    split: Split::ALL[random.below(4)],
                     gain_db: wild(&mut random, 12.0),
                 }),
             }

@@ -34,6 +34,7 @@ impl Engine {
         self.gain = old.gain;
         self.position = old.position;
         self.struck = old.struck;
+        self.routes.inherit(&old.routes);
         self.moved();
         (self.stale, self.unheard) = (u128::MAX, u128::MAX);
         let drain = self.drain();
