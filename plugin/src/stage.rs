@@ -224,6 +224,7 @@ impl Stage {
     /// Renders all samples of the outputs.
     pub(crate) fn render(&mut self, out: &mut Outputs<'_>) {
         let frames = out.frames();
+        self.tune_ahead(frames);
         let until = self.until_handover().unwrap_or(frames).min(frames);
         self.sound(&mut out.part(0..until));
         if self.until_handover() == Some(0) {

@@ -11,10 +11,19 @@ use crate::workshop::{Bench, Ready};
 /// How long both sound, in s.
 const FADE_S: f64 = 0.01;
 
+/// Bodies of the new drawing that are tuned ahead within as many samples as a cell of the grid has.
+const AHEAD: usize = 4;
+/// Bodies that are tuned ahead at most: where parameters move all the time the last of them come with the
+/// handover.
+const MOST_AHEAD: usize = 256;
+
 /// A new drawing on its way in, and an old one on its way out.
 #[derive(Default)]
 pub(super) struct Handover {
     next: Option<Ready>,
+    /// Bodies of it that may have been tuned ahead, and whether that will do.
+    ahead: usize,
+    ready: bool,
     last: Option<Fading>,
 }
 
@@ -88,14 +97,29 @@ impl Stage {
         self.handover.clear(self.number, bench);
         if self.handover.next.is_none() {
             self.handover.next = order.fetch();
+            (self.handover.ahead, self.handover.ready) = (0, false);
         }
+    }
+
+    /// Tunes bodies of the new drawing ahead, as many as `frames` have time for.
+    pub(super) fn tune_ahead(&mut self, frames: usize) {
+        let handover = &mut self.handover;
+        let Some((_, engine)) = handover.next.as_mut().filter(|_| handover.last.is_none()) else {
+            return;
+        };
+        let most = AHEAD * frames.div_ceil(GRID);
+        engine.set_trims(&self.trims);
+        let all = engine.foresee(&self.present.engine, most);
+        handover.ahead += most;
+        handover.ready |= all || handover.ahead >= MOST_AHEAD;
     }
 
     /// Frames to the point where a new drawing can take over; none if there is none, or a mallet is on a
     /// body.
     pub(super) fn until_handover(&self) -> Option<usize> {
         let handover = &self.handover;
-        let ready = handover.last.is_none()
+        let ready = handover.ready
+            && handover.last.is_none()
             && matches!(&handover.next, Some((number, _)) if *number == self.number)
             && !self.present.engine.is_struck();
         ready.then(|| self.present.engine.until_grid())

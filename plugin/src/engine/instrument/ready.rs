@@ -15,6 +15,13 @@ impl Engine {
         self.take_up(key, tuned)
     }
 
+    /// Whether a body is tuned to what holds now, and has nothing left to be put right.
+    pub(super) fn is_fit(&self, key: u8, drain: &Drain) -> bool {
+        let (tuned, hearing) = (self.tuned(key, drain), self.hearing(key));
+        self.body(key)
+            .is_none_or(|body| body.is_tuned(&tuned, &hearing))
+    }
+
     fn take_up(&mut self, key: u8, tuned: Tuned) -> bool {
         let hearing = self.hearing(key);
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
