@@ -41,7 +41,16 @@ impl Engine {
             return;
         }
         let drain = self.drain();
-        for key in keys(waiting).take(most) {
+        let mut left = most;
+        for key in keys(waiting) {
+            if self.body(key).is_none() {
+                (self.stale, self.unheard) = (self.stale & !bit(key), self.unheard & !bit(key));
+                continue;
+            }
+            if left == 0 {
+                return;
+            }
+            left -= 1;
             self.unheard &= !bit(key);
             let tuned = self.tuned_under(&Dampers::OFF, key, &drain);
             if !self.take_up(key, tuned) {
