@@ -9,6 +9,7 @@ pub mod engine;
 pub mod factory;
 mod guard;
 pub mod hands;
+mod layouts;
 pub mod maker;
 #[cfg(feature = "gui")]
 pub mod mesher;
@@ -33,8 +34,8 @@ use maker::Maker;
 use nice_plug::prelude::AsyncExecutor;
 use nice_plug::prelude::{
     ActivateContext, AudioIOLayout, AuxiliaryBuffers, Buffer, BufferConfig, ClapFeature,
-    ClapPlugin, MidiConfig, NonZeroU32, Params, Plugin, PluginState, PolyModulationConfig,
-    ProcessContext, ProcessMode, ProcessStatus, RemoteControlsContext, Vst3Plugin, Vst3SubCategory,
+    ClapPlugin, MidiConfig, Params, Plugin, PluginState, PolyModulationConfig, ProcessContext,
+    ProcessMode, ProcessStatus, RemoteControlsContext, Vst3Plugin, Vst3SubCategory,
 };
 use params::Controls;
 use player::Player;
@@ -62,11 +63,7 @@ impl Plugin for Idiophone {
     const URL: &'static str = "";
     const EMAIL: &'static str = "";
     const VERSION: &'static str = env!("CARGO_PKG_VERSION");
-    const AUDIO_IO_LAYOUTS: &'static [AudioIOLayout] = &[AudioIOLayout {
-        main_input_channels: None,
-        main_output_channels: NonZeroU32::new(2),
-        ..AudioIOLayout::const_default()
-    }];
+    const AUDIO_IO_LAYOUTS: &'static [AudioIOLayout] = &layouts::LAYOUTS;
     const MIDI_INPUT: MidiConfig = MidiConfig::MidiCCs;
     const SAMPLE_ACCURATE_AUTOMATION: bool = true;
     /// Beyond this many events in a block the framework allocates.
@@ -136,7 +133,7 @@ impl Plugin for Idiophone {
     fn process(
         &mut self,
         buffer: &mut Buffer<'_>,
-        _aux: &mut AuxiliaryBuffers<'_>,
+        aux: &mut AuxiliaryBuffers<'_>,
         context: &mut impl ProcessContext<Self>,
     ) -> ProcessStatus {
         let channels = buffer.as_slice();
@@ -160,7 +157,7 @@ impl Plugin for Idiophone {
         if open {
             self.desk.play(player);
         }
-        player.play::<Self>(left, right, context);
+        player.play::<Self>(&mut layouts::outputs(left, right, aux), context);
         #[cfg(feature = "gui")]
         if open {
             self.desk.report(player, [left, right]);

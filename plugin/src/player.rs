@@ -7,7 +7,7 @@ mod tests;
 #[cfg(feature = "gui")]
 mod touch;
 
-use crate::engine::{GRID, Settings};
+use crate::engine::{GRID, Outputs, Settings};
 use crate::guard::put_right;
 use crate::hands::Hands;
 use crate::notes::{Note, Notes, each};
@@ -114,12 +114,11 @@ impl Player {
     /// Renders a block, cut where events fall; those beyond the block wait for the next.
     pub(crate) fn play<P: Plugin>(
         &mut self,
-        left: &mut [f32],
-        right: &mut [f32],
+        out: &mut Outputs<'_>,
         context: &mut impl ProcessContext<P>,
     ) {
         self.aim();
-        let frames = left.len().min(right.len());
+        let frames = out.frames();
         let mut done = 0;
         let mut event = context.next_event();
         loop {
@@ -128,7 +127,7 @@ impl Player {
             });
             if until > done {
                 self.settle::<P>(done, context);
-                self.render(&mut left[done..until], &mut right[done..until]);
+                self.render(&mut out.part(done..until));
                 done = until;
                 self.end_notes::<P>(done.min(frames - 1), context);
             }
@@ -143,8 +142,8 @@ impl Player {
     }
 
     /// Renders what lies between two events.
-    fn render(&mut self, left: &mut [f32], right: &mut [f32]) {
-        let frames = left.len();
+    fn render(&mut self, out: &mut Outputs<'_>) {
+        let frames = out.frames();
         let mut done = 0;
         while done < frames {
             let mut run = frames - done;
@@ -157,8 +156,7 @@ impl Player {
                 }
                 run = run.min(GRID - phase);
             }
-            self.stage
-                .process(&mut left[done..done + run], &mut right[done..done + run]);
+            self.stage.render(&mut out.part(done..done + run));
             self.position += run as u64;
             done += run;
         }

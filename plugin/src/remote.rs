@@ -84,8 +84,11 @@ pub(crate) fn pages(controls: &Controls, context: &mut impl RemoteControlsContex
             page.add_param(&listener.width);
             page.add_param(&listener.distance);
             page.add_param(&listener.angle);
+        });
+        section.add_page("Output", |page| {
             page.add_param(&output.gain);
             page.add_param(&output.limiter);
+            page.add_param(&output.outputs);
         });
     });
     context.add_section("Hands", |section| {

@@ -2,7 +2,7 @@
 
 mod handover;
 
-use crate::engine::{Engine, GRID, Hit, Hold, Limiter, Settings, Trims};
+use crate::engine::{Engine, GRID, Hit, Hold, Limiter, OUTPUTS, Outputs, Room, Settings, Trims};
 use crate::workshop::Bench;
 use handover::Handover;
 use modes::Bank;
@@ -29,8 +29,8 @@ pub(crate) struct Stage {
     wanted: usize,
     ringing: [Option<Act>; RINGING],
     settings: Settings,
-    /// After the sum of all; instruments have none of their own.
-    limiter: Limiter,
+    /// After the sum of all, output by output; instruments have none of their own.
+    limiters: [Limiter; OUTPUTS],
     limits: bool,
     /// What hands do to each body, of whatever instrument.
     holds: [Hold; 128],
@@ -49,7 +49,7 @@ impl Stage {
             wanted: number,
             ringing: [const { None }; RINGING],
             settings: Settings::default(),
-            limiter: Limiter::new(1.0 / rate_hz),
+            limiters: [Limiter::new(1.0 / rate_hz); OUTPUTS],
             limits: true,
             holds: [Hold::FREE; 128],
             trims: Trims::NONE,
@@ -197,7 +197,7 @@ impl Stage {
     /// Silence, at once.
     pub(crate) fn reset(&mut self) {
         self.holds = [Hold::FREE; 128];
-        self.limiter.reset();
+        self.limiters.iter_mut().for_each(Limiter::reset);
         self.handover.reset();
         for act in self.acts() {
             act.engine.reset();
@@ -221,36 +221,28 @@ impl Stage {
         })
     }
 
-    /// Renders as many samples as the shorter of the two slices holds.
-    pub(crate) fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
-        let frames = left.len().min(right.len());
-        let (left, right) = (&mut left[..frames], &mut right[..frames]);
+    /// Renders all samples of the outputs.
+    pub(crate) fn render(&mut self, out: &mut Outputs<'_>) {
+        let frames = out.frames();
+        self.tune_ahead(frames);
         let until = self.until_handover().unwrap_or(frames).min(frames);
-        self.sound(&mut left[..until], &mut right[..until]);
+        self.sound(&mut out.part(0..until));
         if self.until_handover() == Some(0) {
             self.hand_over();
         }
-        self.sound(&mut left[until..], &mut right[until..]);
+        self.sound(&mut out.part(until..frames));
     }
 
     /// The same, with the instruments as they are.
-    fn sound(&mut self, left: &mut [f32], right: &mut [f32]) {
-        self.present.engine.process(left, right);
-        self.handover.mix(left, right);
-        let mut more = [[0.0; GRID]; 2];
+    fn sound(&mut self, out: &mut Outputs<'_>) {
+        self.present.engine.render(out);
+        self.handover.mix(out);
         for act in self.ringing.iter_mut().flatten() {
-            for (left, right) in left.chunks_mut(GRID).zip(right.chunks_mut(GRID)) {
-                let [a, b] = &mut more;
-                act.engine
-                    .process(&mut a[..left.len()], &mut b[..right.len()]);
-                add(left, a);
-                add(right, b);
-            }
+            add(&mut act.engine, out);
         }
         if self.limits {
-            for (left, right) in left.iter_mut().zip(right) {
-                let limited = self.limiter.limit([*left, *right].map(f64::from));
-                [*left, *right] = limited.map(|sample| sample as f32);
+            for (output, sides) in out.each() {
+                limit(&mut self.limiters[output], sides);
             }
         }
     }
@@ -270,9 +262,28 @@ impl Act {
     }
 }
 
-fn add(sum: &mut [f32], more: &[f32]) {
-    for (sum, more) in sum.iter_mut().zip(more) {
-        *sum += more;
+/// Adds what an instrument sounds like.
+fn add(engine: &mut Engine, out: &mut Outputs<'_>) {
+    let frames = out.frames();
+    for done in (0..frames).step_by(GRID) {
+        let mut part = out.part(done..frames.min(done + GRID));
+        let mut more = Room::<GRID>::new();
+        engine.render(&mut more.like(&part));
+        for (output, sides) in part.each() {
+            for (sum, more) in sides.into_iter().zip(more.pair(output)) {
+                for (sum, more) in sum.iter_mut().zip(more) {
+                    *sum += more;
+                }
+            }
+        }
+    }
+}
+
+/// Holds an output below full scale.
+fn limit(limiter: &mut Limiter, [left, right]: [&mut [f32]; 2]) {
+    for (left, right) in left.iter_mut().zip(right) {
+        let limited = limiter.limit([*left, *right].map(f64::from));
+        [*left, *right] = limited.map(|sample| sample as f32);
     }
 }
 

@@ -78,6 +78,7 @@ impl Desk {
 mod tests {
     use super::Desk;
     use crate::editor::{Chosen, Touch};
+    use crate::engine::Outputs;
     use crate::params::heal;
     use crate::player::Player;
     use crate::stage::Stage;
@@ -133,7 +134,9 @@ mod tests {
         let mut block = || {
             let (mut left, mut right) = ([0.0f32; 64], [0.0f32; 64]);
             desk.play(&mut player);
-            player.stage().process(&mut left, &mut right);
+            player
+                .stage()
+                .render(&mut Outputs::main(&mut left, &mut right));
             left.iter().position(|x| *x != 0.0)
         };
         assert_eq!(block(), None);

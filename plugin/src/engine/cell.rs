@@ -5,7 +5,7 @@ use super::body::{Body, Moved};
 use super::oscillators::{Buses, Hops, Kernel, LANES, Pack, SILENT, TOGETHER};
 use std::ops::Range;
 
-/// The sum of all bodies that nothing pushes, over one cell.
+/// The sum of all bodies of an output that nothing pushes, over one cell.
 ///
 /// Modes whose gains move are heard twice, with the old gains and with the new ones, and faded over from
 /// the one to the other.
@@ -18,14 +18,28 @@ pub(super) struct Cell {
     new: Vec<Range<usize>>,
     same: Vec<Range<usize>>,
     left: Buses,
+}
+
+/// What the cells of all outputs need while they are worked on.
+pub(super) struct Bench {
     hops: Box<[Hops; TOGETHER]>,
     /// State of a body while its rest of a cell is taken out.
     kept: Vec<[[f64; LANES]; 2]>,
 }
 
-impl Cell {
+impl Bench {
     /// For an instrument of so many packs of modes.
     pub(super) fn new(packs: usize) -> Self {
+        Self {
+            hops: Box::new(Hops::ROOM),
+            kept: vec![[[0.0; LANES]; 2]; packs],
+        }
+    }
+}
+
+impl Cell {
+    /// With nothing in it.
+    pub(super) fn new() -> Self {
         Self {
             mix: SILENT,
             open: false,
@@ -33,8 +47,6 @@ impl Cell {
             new: Vec::with_capacity(128),
             same: Vec::with_capacity(128),
             left: SILENT,
-            hops: Box::new(Hops::ROOM),
-            kept: vec![[[0.0; LANES]; 2]; packs],
         }
     }
 
@@ -71,20 +83,20 @@ impl Cell {
     }
 
     /// Renders what has left.
-    pub(super) fn ring_left(&mut self, kernel: Kernel, packs: &mut [Pack]) {
+    pub(super) fn ring_left(&mut self, kernel: Kernel, bench: &mut Bench, packs: &mut [Pack]) {
         if !self.old.is_empty() {
-            kernel.ring(packs, &self.old, false, &mut self.hops, &mut self.left);
+            kernel.ring(packs, &self.old, false, &mut bench.hops, &mut self.left);
         }
     }
 
     /// Renders what has entered, and moves it on.
-    pub(super) fn ring_entered(&mut self, kernel: Kernel, packs: &mut [Pack]) {
-        kernel.ring(packs, &self.same, true, &mut self.hops, &mut self.mix);
+    pub(super) fn ring_entered(&mut self, kernel: Kernel, bench: &mut Bench, packs: &mut [Pack]) {
+        kernel.ring(packs, &self.same, true, &mut bench.hops, &mut self.mix);
         if self.new.is_empty() && self.old.is_empty() {
             return;
         }
         let mut entered = SILENT;
-        kernel.ring(packs, &self.new, true, &mut self.hops, &mut entered);
+        kernel.ring(packs, &self.new, true, &mut bench.hops, &mut entered);
         for (mix, (left, entered)) in self.mix.iter_mut().zip(self.left.iter().zip(&entered)) {
             for (n, mix) in mix.iter_mut().enumerate() {
                 *mix += left[n] + (entered[n] - left[n]) * (n as f64 / GRID as f64);
@@ -92,15 +104,15 @@ impl Cell {
         }
     }
 
-    /// The next `run` samples, which begin `phase` samples into the cell.
-    pub(super) fn heard(&self, phase: usize, run: usize) -> Buses {
-        let mut buses = SILENT;
-        if self.open {
-            for (bus, mix) in buses.iter_mut().zip(&self.mix) {
+    /// Writes the next `run` samples, which begin `phase` samples into the cell, to `buses`.
+    pub(super) fn hear(&self, phase: usize, run: usize, buses: &mut Buses) {
+        for (bus, mix) in buses.iter_mut().zip(&self.mix) {
+            if self.open {
                 bus[..run].copy_from_slice(&mix[phase..phase + run]);
+            } else {
+                bus[..run].fill(0.0);
             }
         }
-        buses
     }
 
     /// Takes a body out that rings freely, to be pushed from `phase` samples into the cell on: what it
@@ -108,8 +120,8 @@ impl Cell {
     pub(super) fn take_out(
         &mut self,
         kernel: Kernel,
-        body: &mut Body,
-        packs: &mut [Pack],
+        bench: &mut Bench,
+        (body, packs): (&mut Body, &mut [Pack]),
         phase: usize,
         step_s: f64,
     ) {
@@ -122,14 +134,14 @@ impl Cell {
         let out = [&mut left[..phase], &mut right[..phase]];
         body.drive(kernel, packs, 0, step_s, out);
         let ringing = body.ringing();
-        for (kept, pack) in self.kept.iter_mut().zip(&packs[ringing.clone()]) {
+        for (kept, pack) in bench.kept.iter_mut().zip(&packs[ringing.clone()]) {
             *kept = [pack.x, pack.y];
         }
         let mut rest = SILENT;
         let [left, right] = &mut rest;
         let out = [&mut left[phase..], &mut right[phase..]];
         body.drive(kernel, packs, phase, step_s, out);
-        for (kept, pack) in self.kept.iter().zip(&mut packs[ringing]) {
+        for (kept, pack) in bench.kept.iter().zip(&mut packs[ringing]) {
             [pack.x, pack.y] = *kept;
         }
         for (mix, rest) in self.mix.iter_mut().zip(&rest) {

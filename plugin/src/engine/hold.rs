@@ -72,6 +72,8 @@ pub struct Hit {
     pub hardness_decades: f64,
     /// How much heavier than the set mallet, in powers of two.
     pub mass_octaves: f64,
+    /// The MIDI channel it comes on, 0…15.
+    pub channel: u8,
 }
 
 impl Hit {
@@ -84,6 +86,7 @@ impl Hit {
             across: 0.0,
             hardness_decades: 0.0,
             mass_octaves: 0.0,
+            channel: 0,
         }
     }
 
@@ -103,6 +106,7 @@ impl Hit {
             across: within(self.across, 1.0),
             hardness_decades: within(self.hardness_decades, 5.0),
             mass_octaves: within(self.mass_octaves, 8.0),
+            channel: self.channel.min(15),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What the player can change, as physical values.
 
-use super::{Bow, Discs, Listener, Losses, Mallet, Tweak, range};
+use super::{Bow, Discs, Listener, Losses, Mallet, Split, Tweak, range};
 use modes::{Damping, Rayleigh};
 use std::ops::RangeInclusive;
 
@@ -40,8 +40,10 @@ pub struct Settings {
     pub sympathy: f64,
     /// Output gain, in dB.
     pub gain_db: f64,
-    /// Whether what would go over full scale is turned down.
+    /// Whether what would go over full scale is turned down, each output by itself.
     pub limiter: bool,
+    /// What goes to which output.
+    pub split: Split,
 }
 
 impl Default for Settings {
@@ -81,6 +83,7 @@ impl Settings {
         sympathy: 0.0,
         gain_db: 0.0,
         limiter: true,
+        split: Split::Main,
     };
 
     /// The same with every value inside its [`range`], and what is not a number at its default.
@@ -121,6 +124,7 @@ impl Settings {
             sympathy: within(self.sympathy, range::SHARE, 0.0),
             gain_db: within(self.gain_db, range::GAIN_DB, normal.gain_db),
             limiter: self.limiter,
+            split: self.split,
         }
     }
 }

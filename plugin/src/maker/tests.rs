@@ -1,7 +1,7 @@
 //! A knob is turned, and the bodies follow.
 
 use super::*;
-use crate::engine::{Hit, Settings};
+use crate::engine::{Hit, Outputs, Settings};
 use crate::factory;
 use crate::stage::Stage;
 use crate::workshop::Bench;
@@ -53,7 +53,7 @@ impl Bed {
         let start = Instant::now();
         assert_no_alloc(|| {
             self.stage.reshape(drawing, &self.maker, &self.bench);
-            self.stage.process(&mut left, &mut right);
+            self.stage.render(&mut Outputs::main(&mut left, &mut right));
         });
         self.longest_s = self.longest_s.max(start.elapsed().as_secs_f64());
         self.bench.work();

@@ -1,6 +1,7 @@
 //! Parameters that are one of some names.
 
 use super::mallets::MALLETS;
+use crate::engine::Split;
 use crate::factory;
 use crate::hands::{Mpe, Source, Target};
 use crate::shelf::{OWN, OWN_TITLE};
@@ -20,6 +21,8 @@ pub(crate) enum Choice {
     Source,
     /// What an assignment moves.
     Target,
+    /// What goes to which output.
+    Outputs,
 }
 
 /// What a key can do, by number.
@@ -35,6 +38,7 @@ impl Choice {
             Self::Mpe => Mpe::ALL.len(),
             Self::Source => Source::ALL.len(),
             Self::Target => Target::ALL.len(),
+            Self::Outputs => Split::ALL.len(),
         }
     }
 
@@ -49,6 +53,7 @@ impl Choice {
             Self::Mpe => Mpe::from_index(index).name(),
             Self::Source => Source::from_index(index).name(),
             Self::Target => Target::from_index(index).name(),
+            Self::Outputs => Split::from_index(index).name(),
         }
     }
 
@@ -76,13 +81,14 @@ mod tests {
     use super::Choice;
     use std::collections::HashSet;
 
-    const ALL: [Choice; 6] = [
+    const ALL: [Choice; 7] = [
         Choice::Instrument,
         Choice::Mallet,
         Choice::Keys,
         Choice::Mpe,
         Choice::Source,
         Choice::Target,
+        Choice::Outputs,
     ];
 
     #[test]

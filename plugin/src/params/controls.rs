@@ -54,7 +54,7 @@ pub struct Controls {
     /// Who moves what.
     #[nested(array, group = "Assign")]
     pub assign: [Assign; SLOTS],
-    /// Level of the whole.
+    /// Level and outputs of the whole.
     #[nested(group = "Output")]
     pub output: Output,
     /// The scale that travels with the song.

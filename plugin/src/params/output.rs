@@ -1,10 +1,11 @@
-//! Level of the whole.
+//! Level of the whole, and what goes to which output.
 
 use super::Spec;
-use super::build::{float, plain, switch};
+use super::build::{choice, float, index, plain, switch};
+use super::choice::Choice;
 use super::text::Text;
-use crate::engine::{Settings, range};
-use nice_plug::prelude::{BoolParam, FloatParam, Params};
+use crate::engine::{Settings, Split, range};
+use nice_plug::prelude::{BoolParam, FloatParam, IntParam, Params};
 
 const NORMAL: Settings = Settings::DEFAULT;
 
@@ -22,13 +23,23 @@ pub const LIMITER: Spec = Spec {
     id: "limit",
     name: "Limiter",
     tooltip: "Turns down what would go over full scale, at once, and lets go within half a second. What \
-              stays below passes unchanged to the bit.",
+              stays below passes unchanged to the bit. Each output has its own.",
     ..Spec::switch("off", "on", NORMAL.limiter)
 };
 
-pub(super) const SPECS: [Spec; 2] = [GAIN, LIMITER];
+/// What goes to which output.
+pub const OUTPUTS: Spec = Spec {
+    id: "outs",
+    name: "Outputs",
+    tooltip: "Where the host has the plug-in with eight outputs: an octave on each from C2 up (lower keys in \
+              main); a body on each, round again after eight; or MIDI channels 1 to 8. What is sent \
+              nowhere else is in main, which with one output is everything.",
+    ..Spec::choice(Choice::Outputs, NORMAL.split as usize)
+};
 
-/// Level of the whole.
+pub(super) const SPECS: [Spec; 3] = [GAIN, LIMITER, OUTPUTS];
+
+/// Level and outputs of the whole.
 #[derive(Params)]
 pub struct Output {
     /// See [`GAIN`].
@@ -37,6 +48,9 @@ pub struct Output {
     /// See [`LIMITER`].
     #[id = "limit"]
     pub limiter: BoolParam,
+    /// See [`OUTPUTS`].
+    #[id = "outs"]
+    pub outputs: IntParam,
 }
 
 impl Default for Output {
@@ -44,6 +58,7 @@ impl Default for Output {
         Self {
             gain: float(&GAIN),
             limiter: switch(&LIMITER),
+            outputs: choice(&OUTPUTS),
         }
     }
 }
@@ -52,5 +67,6 @@ impl Output {
     pub(super) fn apply(&self, settings: &mut Settings) {
         settings.gain_db = plain(&self.gain);
         settings.limiter = self.limiter.value();
+        settings.split = Split::from_index(index(&self.outputs));
     }
 }

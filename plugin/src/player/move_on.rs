@@ -69,14 +69,15 @@ impl Player {
         };
         // The body is to sound as it is held from its first sample on.
         self.stage.hold(body, &self.held(key, place));
-        self.stage.hit(body, &self.hit(&self.hands.touch(key)));
+        self.stage
+            .hit(body, &self.hit(&self.hands.touch(key), channel));
         self.stale |= bit;
         if up {
             self.let_go(key);
         }
     }
 
-    fn hit(&self, touch: &TouchHands) -> Hit {
+    fn hit(&self, touch: &TouchHands, channel: u8) -> Hit {
         let (strike, mallet) = (&self.controls.strike, &self.controls.mallet);
         Hit {
             // A bow presses as it is held.
@@ -89,6 +90,7 @@ impl Player {
             across: 0.0,
             hardness_decades: touch.hardness_decades + mallet.harder(touch.hardness_modulation),
             mass_octaves: touch.mass_octaves,
+            channel,
         }
     }
 

@@ -89,7 +89,7 @@ fn player() -> Player {
 fn play(player: &mut Player, frames: usize, events: Vec<Event>) -> (Vec<f32>, Vec<(u32, i32)>) {
     let (mut left, mut right) = (vec![f32::NAN; frames], vec![f32::NAN; frames]);
     let mut host = Host::with(events);
-    player.play::<Idiophone>(&mut left, &mut right, &mut host);
+    player.play::<Idiophone>(&mut Outputs::main(&mut left, &mut right), &mut host);
     assert!(left.iter().chain(&right).all(|sample| sample.is_finite()));
     (left, host.ended)
 }

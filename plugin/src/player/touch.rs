@@ -50,7 +50,7 @@ impl Player {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::Struck;
+    use crate::engine::{Outputs, Struck};
     use crate::params::Controls;
     use crate::stage::Stage;
     use crate::tuner::Tuner;
@@ -69,7 +69,9 @@ mod tests {
 
     fn render(player: &mut Player, frames: usize) -> f32 {
         let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
-        player.stage().process(&mut left, &mut right);
+        player
+            .stage()
+            .render(&mut Outputs::main(&mut left, &mut right));
         left.iter().fold(0.0, |most, x| x.abs().max(most))
     }
 

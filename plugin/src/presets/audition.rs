@@ -2,7 +2,7 @@
 
 use super::preset::Preset;
 use crate::Idiophone;
-use crate::engine::{GRID, Trims};
+use crate::engine::{GRID, Outputs, Trims};
 use crate::factory;
 use crate::params::{Controls, body::INSTRUMENT, output::LIMITER};
 use crate::player::Player;
@@ -38,7 +38,7 @@ pub fn audition(preset: &Preset, notes: &[Note], seconds: f64, rate_hz: f64) -> 
     let frames = frame(seconds, rate_hz);
     let [mut left, mut right] = [vec![0.0; frames], vec![0.0; frames]];
     for (left, right) in left.chunks_mut(BLOCK).zip(right.chunks_mut(BLOCK)) {
-        player.play::<Idiophone>(left, right, &mut host);
+        player.play::<Idiophone>(&mut Outputs::main(left, right), &mut host);
         host.pass(left.len());
     }
     [left, right]

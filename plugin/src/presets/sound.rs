@@ -2,6 +2,7 @@
 
 use super::trim::{TrimList, same};
 use crate::params::body::INSTRUMENT;
+use crate::params::output::OUTPUTS;
 use crate::params::{GROUPS, Spec, specs};
 
 /// Texts of Scala files; empty where there is none.
@@ -55,7 +56,8 @@ impl Sound {
     }
 
     /// What each parameter is to be: as said, or else as in a new instance. How hands are understood
-    /// belongs to the player and the keyboard and stays, unless something is said of it.
+    /// belongs to the player and the keyboard, and what goes to which output to the song: they stay, unless
+    /// something is said of them.
     pub fn wanted(&self) -> impl Iterator<Item = (&'static Spec, f32)> {
         specs().filter_map(|spec| {
             let said = self.get(spec.id);
@@ -70,11 +72,13 @@ impl Sound {
         same(&self.trims, trims)
     }
 
-    /// Whether a parameter is about the player rather than the sound.
+    /// Whether a parameter is about the player and the song rather than the sound.
     #[must_use]
     pub fn is_player_s(spec: &Spec) -> bool {
         let hands = GROUPS.iter().find(|group| group.name == "Hands");
-        hands.is_some_and(|group| group.specs.iter().any(|other| other.id == spec.id))
+        let understood =
+            hands.is_some_and(|group| group.specs.iter().any(|other| other.id == spec.id));
+        understood || spec.id == OUTPUTS.id
     }
 }
 
@@ -98,6 +102,7 @@ mod tests {
             ..sound
         };
         assert!(with.wanted().any(|pair| pair == (&MPE, 1.0)));
-        assert_eq!(wanted.len() + 4, specs().count());
+        assert!(wanted.iter().all(|(spec, _)| spec.id != OUTPUTS.id));
+        assert_eq!(wanted.len() + 5, specs().count());
     }
 }

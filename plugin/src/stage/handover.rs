@@ -4,17 +4,26 @@
 //! out, since the same motion sounds a little different from another shape.
 
 use super::{GRID, Stage};
-use crate::engine::Engine;
+use crate::engine::{Engine, Outputs, Room};
 use crate::maker::{Drawing, Order};
 use crate::workshop::{Bench, Ready};
 
 /// How long both sound, in s.
 const FADE_S: f64 = 0.01;
 
+/// Bodies of the new drawing that are tuned ahead within as many samples as a cell of the grid has.
+const AHEAD: usize = 4;
+/// Bodies that are tuned ahead at most: where parameters move all the time the last of them come with the
+/// handover.
+const MOST_AHEAD: usize = 256;
+
 /// A new drawing on its way in, and an old one on its way out.
 #[derive(Default)]
 pub(super) struct Handover {
     next: Option<Ready>,
+    /// Bodies of it that may have been tuned ahead, and whether that will do.
+    ahead: usize,
+    ready: bool,
     last: Option<Fading>,
 }
 
@@ -54,23 +63,23 @@ impl Handover {
     }
 
     /// Fades from the old drawing to the new, which has rendered.
-    pub(super) fn mix(&mut self, left: &mut [f32], right: &mut [f32]) {
+    pub(super) fn mix(&mut self, out: &mut Outputs<'_>) {
         let Some(last) = self.last.as_mut().filter(|last| last.left > 0) else {
             return;
         };
-        let frames = last.left.min(left.len()).min(right.len());
-        let mut old = [[0.0; GRID]; 2];
-        let chunks = left[..frames].chunks_mut(GRID);
-        for (left, right) in chunks.zip(right[..frames].chunks_mut(GRID)) {
-            let [a, b] = &mut old;
-            last.engine
-                .process(&mut a[..left.len()], &mut b[..left.len()]);
-            for i in 0..left.len() {
-                let share = last.left as f32 / last.all as f32;
-                left[i] += share * (a[i] - left[i]);
-                right[i] += share * (b[i] - right[i]);
-                last.left -= 1;
+        let frames = last.left.min(out.frames());
+        for done in (0..frames).step_by(GRID) {
+            let mut part = out.part(done..frames.min(done + GRID));
+            let mut old = Room::<GRID>::new();
+            last.engine.render(&mut old.like(&part));
+            for (output, sides) in part.each() {
+                for (new, old) in sides.into_iter().zip(old.pair(output)) {
+                    for ((new, old), left) in new.iter_mut().zip(old).zip((0..=last.left).rev()) {
+                        *new += left as f32 / last.all as f32 * (old - *new);
+                    }
+                }
             }
+            last.left -= part.frames();
         }
     }
 }
@@ -88,14 +97,29 @@ impl Stage {
         self.handover.clear(self.number, bench);
         if self.handover.next.is_none() {
             self.handover.next = order.fetch();
+            (self.handover.ahead, self.handover.ready) = (0, false);
         }
+    }
+
+    /// Tunes bodies of the new drawing ahead, as many as `frames` have time for.
+    pub(super) fn tune_ahead(&mut self, frames: usize) {
+        let handover = &mut self.handover;
+        let Some((_, engine)) = handover.next.as_mut().filter(|_| handover.last.is_none()) else {
+            return;
+        };
+        let most = AHEAD * frames.div_ceil(GRID);
+        engine.set_trims(&self.trims);
+        let all = engine.foresee(&self.present.engine, most);
+        handover.ahead += most;
+        handover.ready |= all || handover.ahead >= MOST_AHEAD;
     }
 
     /// Frames to the point where a new drawing can take over; none if there is none, or a mallet is on a
     /// body.
     pub(super) fn until_handover(&self) -> Option<usize> {
         let handover = &self.handover;
-        let ready = handover.last.is_none()
+        let ready = handover.ready
+            && handover.last.is_none()
             && matches!(&handover.next, Some((number, _)) if *number == self.number)
             && !self.present.engine.is_struck();
         ready.then(|| self.present.engine.until_grid())

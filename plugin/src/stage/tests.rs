@@ -11,7 +11,7 @@ fn stage(index: usize) -> Stage {
 
 fn render(stage: &mut Stage, frames: usize) -> Vec<f32> {
     let (mut left, mut right) = (vec![0.0; frames], vec![0.0; frames]);
-    stage.process(&mut left, &mut right);
+    stage.render(&mut Outputs::main(&mut left, &mut right));
     left
 }
 

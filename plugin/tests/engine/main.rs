@@ -4,6 +4,7 @@ mod across;
 mod hands;
 mod kits;
 mod motor;
+mod outputs;
 mod partials;
 mod real_time;
 mod ringing;

@@ -5,6 +5,7 @@
 mod guard;
 mod hands;
 mod modulation;
+mod outputs;
 mod own;
 mod parameters;
 mod partials;

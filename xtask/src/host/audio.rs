@@ -46,7 +46,7 @@ impl<'a> Audio<'a> {
         Self {
             processor,
             frames_played,
-            ports: AudioPorts::with_capacity(2, 1),
+            ports: AudioPorts::with_capacity(16, 8),
             input: EventBuffer::with_capacity(1024),
             output: EventBuffer::with_capacity(1024),
         }
@@ -81,19 +81,37 @@ impl<'a> Audio<'a> {
         left: &mut [f32],
         right: &mut [f32],
     ) -> Result<Block> {
-        left.fill(f32::NAN);
-        right.fill(f32::NAN);
+        self.process_all(events, [[left, right]])
+    }
+
+    /// The same with as many outputs as the plug-in has, all of one length.
+    ///
+    /// # Errors
+    ///
+    /// If the plug-in reports failure.
+    pub fn process_all<'b>(
+        &mut self,
+        events: &[TimedEvent],
+        outputs: impl IntoIterator<Item = [&'b mut [f32]; 2], IntoIter: ExactSizeIterator>,
+    ) -> Result<Block> {
+        let mut frames = 0;
         self.input.clear();
         self.output.clear();
         for event in events {
             let time = u32::try_from(event.frame)?;
             event.event.push(time, &mut self.input);
         }
-        let frames = left.len() as u64;
-        let mut output = self.ports.with_output_buffers([AudioPortBuffer {
-            latency: 0,
-            channels: AudioPortBufferType::f32_output_only([left, right].into_iter()),
-        }]);
+        let buffers = outputs.into_iter().map(|mut sides| {
+            for side in &mut sides {
+                side.fill(f32::NAN);
+                frames = side.len() as u64;
+            }
+            AudioPortBuffer {
+                latency: 0,
+                channels: AudioPortBufferType::f32_output_only(sides.into_iter()),
+            }
+        });
+        let mut output = self.ports.with_output_buffers(buffers);
         let status = self.processor.process(
             &InputAudioBuffers::empty(),
             &mut output,

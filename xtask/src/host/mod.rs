@@ -6,6 +6,7 @@ mod handlers;
 mod library;
 mod param;
 mod plugin;
+mod port;
 mod tuning;
 
 pub use audio::{Audio, Block, Take};
@@ -13,6 +14,7 @@ pub use event::{Event, TimedEvent};
 pub use library::{Descriptor, Library};
 pub use param::{Param, ParamId};
 pub use plugin::Plugin;
+pub use port::Port;
 
 pub use clack_host::events::event_types::NoteExpressionType;
 pub use clack_host::process::ProcessStatus;

@@ -16,7 +16,7 @@ use std::ffi::CString;
 pub struct Plugin {
     // Declared before `instance`: an audio processor must be gone before its instance.
     processor: Option<StartedPluginAudioProcessor<Handlers>>,
-    instance: PluginInstance<Handlers>,
+    pub(super) instance: PluginInstance<Handlers>,
     params: Option<PluginParams>,
     frames_played: u64,
 }

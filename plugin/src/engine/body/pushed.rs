@@ -96,6 +96,15 @@ impl Body {
         self.tune_steps(kernel, step_s);
     }
 
+    /// From this point of the grid on it moves sample by sample, though nothing pushes it.
+    pub(crate) fn lead(&mut self, kernel: Kernel, step_s: f64) {
+        if !self.driven {
+            self.substeps = 1;
+            self.tune_steps(kernel, step_s);
+            self.driven = true;
+        }
+    }
+
     /// From now on something pushes it, and every mode may ring.
     fn begin_drive(&mut self) {
         self.driven = true;

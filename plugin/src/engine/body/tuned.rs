@@ -34,6 +34,11 @@ impl Body {
         }
     }
 
+    /// Whether the modes are tuned and heard so, to the bit.
+    pub(crate) fn is_tuned(&self, tuned: &Tuned, hearing: &Hearing) -> bool {
+        self.tuned.as_ref() == Some(tuned) && !self.off && self.moved(hearing) == Moved::NONE
+    }
+
     /// Takes up a table of trims by its number: it counts from when the modes are next tuned and listened
     /// to.
     pub(crate) fn trim(&mut self, trims: &Trims, number: u32) {

@@ -1,7 +1,8 @@
-//! What is looked at on the grid, and the sound of a cell.
+//! What is looked at on the grid, and what rings freely in a cell.
 
 use super::ready::PREPARED;
-use super::{Engine, finish, keys};
+use super::routing::outputs;
+use super::{Engine, keys};
 use crate::engine::GRID;
 use crate::engine::body::{Moved, Tuned};
 use crate::engine::damper::{Dampers, bit};
@@ -136,6 +137,7 @@ impl Engine {
         if !glides && !turns {
             self.prepare(PREPARED);
         }
+        self.deal();
         self.ring();
     }
 
@@ -153,6 +155,7 @@ impl Engine {
             };
             if body.take_answer(&mut self.packs) && self.awake & bit(key) == 0 {
                 self.awake |= bit(key);
+                self.routes.put(key, self.settings.split);
                 body.fading = Moved::NONE;
                 self.stale |= bit(key);
                 self.unheard |= bit(key);
@@ -182,14 +185,20 @@ impl Engine {
         let stale = self.awake & self.stale;
         let sounding = (self.awake, self.driven);
         if stale == 0 && self.arranged == Some(sounding) {
-            self.cell.again();
+            for output in outputs(self.used) {
+                self.cells[output].again();
+            }
         } else {
-            self.cell.begin();
+            for output in outputs(self.used) {
+                self.cells[output].begin();
+            }
             self.retune(stale);
             self.arrange();
             self.arranged = (stale == 0).then_some(sounding);
         }
-        self.cell.ring_entered(self.kernel, &mut self.packs);
+        for output in outputs(self.used) {
+            self.cells[output].ring_entered(self.kernel, &mut self.bench, &mut self.packs);
+        }
     }
 
     /// Tunes those of the bodies whose bits are set; what is heard of them otherwise from now on sounds
@@ -199,10 +208,12 @@ impl Engine {
         for key in keys(unheard & !self.driven) {
             let hearing = self.hearing(key);
             if let Some(body) = &self.bodies[usize::from(key)] {
-                self.cell.leave(body, body.moved(&hearing));
+                self.cells[self.routes.output(key)].leave(body, body.moved(&hearing));
             }
         }
-        self.cell.ring_left(self.kernel, &mut self.packs);
+        for output in outputs(self.used) {
+            self.cells[output].ring_left(self.kernel, &mut self.bench, &mut self.packs);
+        }
         self.stale &= !stale;
         self.unheard &= !unheard;
         for key in keys(stale) {
@@ -229,7 +240,7 @@ impl Engine {
     fn arrange(&mut self) {
         for key in keys(self.awake & !self.driven) {
             if let Some(body) = &self.bodies[usize::from(key)] {
-                self.cell.enter(body, body.fading);
+                self.cells[self.routes.output(key)].enter(body, body.fading);
             }
         }
     }
@@ -258,7 +269,7 @@ impl Engine {
 
     /// Takes mallets away that have left, and lets bodies sleep that no longer sound.
     fn rest(&mut self) {
-        for key in keys(self.driven) {
+        for key in keys(self.driven & !self.routes.moving) {
             if let Some(body) = self.bodies[usize::from(key)].as_mut()
                 && body.part(&self.packs)
             {
@@ -279,35 +290,6 @@ impl Engine {
             if body.live != before {
                 self.arranged = None;
             }
-        }
-    }
-
-    /// Renders a run within one cell of the grid, `phase` samples from its start.
-    pub(super) fn render(&mut self, phase: usize, left: &mut [f32], right: &mut [f32]) {
-        if self.awake == 0 {
-            left.fill(0.0);
-            right.fill(0.0);
-            return;
-        }
-        let run = left.len();
-        let mut buses = self.cell.heard(phase, run);
-        for key in keys(self.driven) {
-            let Some(body) = self.bodies[usize::from(key)].as_mut() else {
-                continue;
-            };
-            let [left, right] = &mut buses;
-            let out = [&mut left[..run], &mut right[..run]];
-            body.drive(self.kernel, &mut self.packs, phase, self.step_s, out);
-        }
-        let [from, to] = self.gain;
-        for n in 0..run {
-            let share = (phase + n) as f64 / GRID as f64;
-            let gain = from + (to - from) * share;
-            let mut sample = [gain * buses[0][n], gain * buses[1][n]];
-            if self.settings.limiter {
-                sample = self.limiter.limit(sample);
-            }
-            [left[n], right[n]] = sample.map(finish);
         }
     }
 }

@@ -19,10 +19,26 @@ impl Engine {
         driven.any(super::Body::is_struck)
     }
 
-    /// Goes on where `old` is, which must be at a point of the grid ([`Engine::until_grid`]) and run at the
-    /// same rate: with all that hands and parameters do there, and with the motion of its bodies, mode by
-    /// mode of the same name. Mallets that touch are left out. Does not allocate.
-    pub fn inherit(&mut self, old: &Self) {
+    /// Makes ready, while this sleeps, to [`Engine::inherit`] from `old`: tunes at most `most` of the bodies
+    /// that ring there; whether all are now tuned as they would be. Does not allocate.
+    pub fn foresee(&mut self, old: &Self, most: usize) -> bool {
+        self.follow(old);
+        let mut tuned = 0;
+        for key in keys(old.awake) {
+            if self.is_fit(key, &drain) {
+                continue;
+            }
+            if tuned == most {
+                return false;
+            }
+            self.fit(key);
+            tuned += 1;
+        }
+        true
+    }
+
+    /// Takes over all that hands and parameters do to `old`.
+    fn follow(&mut self, old: &Self) {
         self.settings = old.settings;
         self.glides.clone_from(&old.glides);
         self.motor.clone_from(&old.motor);
@@ -34,8 +50,16 @@ impl Engine {
         self.gain = old.gain;
         self.position = old.position;
         self.struck = old.struck;
+        self.routes.inherit(&old.routes);
         self.moved();
         (self.stale, self.unheard) = (u128::MAX, u128::MAX);
+    }
+
+    /// Goes on where `old` is, which must be at a point of the grid ([`Engine::until_grid`]) and run at the
+    /// same rate: with all that hands and parameters do there, and with the motion of its bodies, mode by
+    /// mode of the same name. Mallets that touch are left out. Does not allocate.
+    pub fn inherit(&mut self, old: &Self) {
+        self.follow(old);
         for key in keys(old.awake) {
             if let Some(body) = self.bodies[usize::from(key)].as_mut() {
                 body.fading = Moved::NONE;
@@ -59,7 +83,7 @@ impl Engine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::{Hit, Hold, Settings};
+    use crate::engine::{Hit, Hold, Listener, Settings};
     use crate::factory;
     use modes::Bank;
 
@@ -111,6 +135,35 @@ mod tests {
         let (old, new) = (render(&mut old, 9600), render(&mut new, 9600));
         assert!(old.iter().any(|x| x.abs() > 0.01));
         assert!(farthest(&old, &new) < 1e-6, "{}", farthest(&old, &new));
+    }
+
+    #[test]
+    fn what_is_tuned_ahead_a_few_at_a_time_sounds_as_what_is_not() {
+        let bank = bank();
+        let mut old = ringing(&bank);
+        old.set(&Settings {
+            limiter: false,
+            listener: Listener {
+                angle_deg: 20.0,
+                ..Listener::AS_BUILT
+            },
+            ..Settings::default()
+        });
+        render(&mut old, 4800);
+        let [mut ahead, mut new] = [(); 2].map(|()| Engine::new(&bank, RATE_HZ));
+        assert!(!ahead.foresee(&old, 0), "none is tuned so");
+        let mut rounds = 0;
+        while !ahead.foresee(&old, 1) {
+            rounds += 1;
+            assert!(rounds <= 6, "three bodies, each twice at most");
+        }
+        assert!(rounds >= 2, "one body at a time");
+        assert_eq!(ahead.awake(), 0);
+        ahead.inherit(&old);
+        new.inherit(&old);
+        let (ahead, new) = (render(&mut ahead, 9600), render(&mut new, 9600));
+        assert!(level(&new) > 0.01);
+        assert!(farthest(&ahead, &new) < 1e-6, "{}", farthest(&ahead, &new));
     }
 
     #[test]

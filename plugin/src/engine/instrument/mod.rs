@@ -5,16 +5,21 @@ mod glance;
 mod heir;
 mod playing;
 mod ready;
+mod render;
+mod routing;
 
 pub use glance::{Held, Struck};
+pub use render::OUTPUT_BOUND;
 
 use super::body::Body;
-use super::cell::Cell;
+use super::cell::{Bench, Cell};
 use super::glides::Glides;
 use super::level::full_scales;
 use super::limiter::Limiter;
 use super::motor::Motor;
-use super::oscillators::{Kernel, Pack, Vectors};
+use super::oscillators::{Buses, Kernel, Pack, SILENT, Vectors};
+use super::outputs::OUTPUTS;
+use super::routes::Routes;
 use super::source::Way;
 use super::swing::{Swing, SwingStep};
 use super::trims::Trims;
@@ -22,17 +27,13 @@ use super::{GRID, Settings};
 use modes::{Bank, Stencil};
 use playing::Hand;
 
-/// No sample is ever beyond this, whatever is played: 36 dB over full scale, with the limiter off. Below
-/// it (with the limiter, below full scale) the output is the sum of the modes, bit for bit.
-pub const OUTPUT_BOUND: f32 = 64.0;
-
 /// Sample rates there are coefficients for, in Hz.
 const RATES_HZ: (f64, f64) = (1e3, 768e3);
 
 /// An instrument that rings: strikes in, sound out.
 ///
 /// Nothing but [`Engine::new`] allocates, and the output does not depend on how calls of
-/// [`Engine::process`] cut the time.
+/// [`Engine::render`] cut the time.
 pub struct Engine {
     bodies: Vec<Option<Body>>,
     /// The modes of all bodies.
@@ -64,14 +65,20 @@ pub struct Engine {
     ways: [Way; 2],
     width: f64,
     pitch: f64,
-    /// What rings freely in this cell of the grid.
-    cell: Cell,
+    /// What rings freely in this cell of the grid, output by output.
+    cells: [Cell; OUTPUTS],
+    bench: Bench,
+    /// Which body is on which output, and the outputs on which any is in this cell, as bits.
+    routes: Routes,
+    used: u8,
+    /// What is being rendered.
+    buses: Box<[Buses; OUTPUTS]>,
     /// The bodies that sounded, and those pushed, when the cell's packs were listed; none if these have
     /// to be listed anew.
     arranged: Option<(u128, u128)>,
     /// Output gain at the start of the cell and at its end.
     gain: [f64; 2],
-    limiter: Limiter,
+    limiters: [Limiter; OUTPUTS],
     kernel: Kernel,
     step_s: f64,
     position: u64,
@@ -93,15 +100,10 @@ fn keys(mut bits: u128) -> impl Iterator<Item = u8> {
     })
 }
 
-/// A sample as the host gets it: bounded, and never a denormal.
-fn finish(sample: f64) -> f32 {
-    let bound = f64::from(OUTPUT_BOUND);
-    // `max` and `min` rather than `clamp`, because they turn NaN into a bound.
-    let sample = sample.max(-bound).min(bound);
-    if sample.abs() < 1e-30 {
-        return 0.0;
-    }
-    sample as f32
+/// The keys that have bodies, as bits.
+fn there(bodies: &[Option<Body>]) -> u128 {
+    let there = |(key, body): (usize, &Option<Body>)| u128::from(body.is_some()) << key;
+    bodies.iter().enumerate().map(there).sum()
 }
 
 /// From the middle between the ears to the instrument, in m.
@@ -145,7 +147,6 @@ impl Engine {
         let settings = Settings::default();
         let glides = Glides::new(&settings, step_s);
         let mut engine = Self {
-            bodies,
             packs: vec![Pack::STILL; packs],
             ears_m: bank.ears_m,
             distance_m: distance_m(&bank.ears_m),
@@ -164,9 +165,14 @@ impl Engine {
             ways: settings.listener.ways(&bank.ears_m),
             width: settings.listener.width,
             pitch: 1.0,
-            cell: Cell::new(packs),
+            cells: std::array::from_fn(|_| Cell::new()),
+            bench: Bench::new(packs),
+            routes: Routes::new(there(&bodies), step_s),
+            bodies,
+            used: 1,
+            buses: Box::new([SILENT; OUTPUTS]),
             arranged: None,
-            limiter: Limiter::new(step_s),
+            limiters: [Limiter::new(step_s); OUTPUTS],
             glides,
             settings,
             kernel,
@@ -193,10 +199,12 @@ impl Engine {
         self.swinging = 0;
         (self.stale, self.unheard) = (u128::MAX, u128::MAX);
         self.swings = [Swing::default(); 128];
-        self.limiter.reset();
+        self.limiters.iter_mut().for_each(Limiter::reset);
         self.position = 0;
         self.motor = Motor::new();
-        self.cell.close();
+        self.cells.iter_mut().for_each(Cell::close);
+        self.routes.reset();
+        self.used = 1;
         self.arranged = None;
         self.arrive();
     }
@@ -205,6 +213,9 @@ impl Engine {
     pub fn set(&mut self, settings: &Settings) {
         let settings = settings.sane();
         if settings != self.settings {
+            if settings.split != self.settings.split {
+                self.routes.pending = u128::MAX;
+            }
             self.settings = settings;
             self.glides.aim(&self.settings);
             self.stale = u128::MAX;
@@ -235,8 +246,7 @@ impl Engine {
     /// The keys that have bodies, bit 0 for key 0.
     #[must_use]
     pub fn bodies(&self) -> u128 {
-        let there = |(key, body): (usize, &Option<Body>)| u128::from(body.is_some()) << key;
-        self.bodies.iter().enumerate().map(there).sum()
+        there(&self.bodies)
     }
 
     /// Time after which nothing that sounds now is louder than −100 dB of full scale, in s, if nothing
@@ -250,29 +260,6 @@ impl Engine {
             .filter(|sound| sound.power > FLOOR * FLOOR)
             .map(|sound| 0.5 * (sound.power.ln() - 2.0 * FLOOR.ln()) / sound.decay_per_s)
             .fold(0.0, f64::max)
-    }
-
-    /// Renders as many samples as the shorter of the two slices holds.
-    pub fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
-        let frames = left.len().min(right.len());
-        let mut done = 0;
-        while done < frames {
-            let phase = (self.position % GRID as u64) as usize;
-            if phase == 0 {
-                self.look();
-            }
-            let run = (GRID - phase).min(frames - done);
-            self.render(
-                phase,
-                &mut left[done..done + run],
-                &mut right[done..done + run],
-            );
-            self.position += run as u64;
-            if phase + run == GRID {
-                self.cell.close();
-            }
-            done += run;
-        }
     }
 
     fn body(&self, key: u8) -> Option<&Body> {
@@ -292,14 +279,5 @@ mod tests {
             keys(bit(3) | bit(127) | bit(0)).collect::<Vec<_>>(),
             [0, 3, 127]
         );
-    }
-
-    #[test]
-    fn samples_are_bounded_and_never_denormal() {
-        assert_eq!(finish(1e9), OUTPUT_BOUND);
-        assert_eq!(finish(f64::NEG_INFINITY), -OUTPUT_BOUND);
-        assert!(finish(f64::NAN).is_finite());
-        assert_eq!(finish(1e-39), 0.0);
-        assert_eq!(finish(0.25), 0.25);
     }
 }

@@ -44,6 +44,7 @@ impl Engine {
         let hit = hit.sane();
         self.choked &= !bit(key);
         self.stale |= bit(key);
+        self.routes.strike(key, hit.channel);
         let touch = Touch::new(&self.settings, &hit, chance(key, self.position));
         self.remember(key, &touch, hit.velocity);
         let hand = &mut self.hands[usize::from(key)];
@@ -75,6 +76,7 @@ impl Engine {
             self.swinging |= bit(key);
         }
         self.driven |= bit(key);
+        self.carry(key);
         true
     }
 
@@ -83,6 +85,8 @@ impl Engine {
         let sleeps = self.awake & bit(key) == 0;
         if sleeps {
             self.fit(key);
+            self.routes.put(key, self.settings.split);
+            self.used |= self.routes.used(bit(key));
         }
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
             return;
@@ -92,8 +96,14 @@ impl Engine {
             body.fading = Moved::NONE;
         } else if self.driven & bit(key) == 0 {
             let phase = (self.position % GRID as u64) as usize;
-            self.cell
-                .take_out(self.kernel, body, &mut self.packs, phase, self.step_s);
+            let moved = (body, self.packs.as_mut_slice());
+            self.cells[self.routes.output(key)].take_out(
+                self.kernel,
+                &mut self.bench,
+                moved,
+                phase,
+                self.step_s,
+            );
         }
     }
 

@@ -14,6 +14,13 @@ impl Engine {
         self.take_up(key, tuned)
     }
 
+    /// Whether a body is tuned to what holds now, and has nothing left to be put right.
+    pub(super) fn is_fit(&self, key: u8, drain: &Drain) -> bool {
+        let (tuned, hearing) = (self.tuned(key, drain), self.hearing(key));
+        self.body(key)
+            .is_none_or(|body| body.is_tuned(&tuned, &hearing))
+    }
+
     fn take_up(&mut self, key: u8, tuned: Tuned) -> bool {
         let hearing = self.hearing(key);
         let Some(body) = self.bodies[usize::from(key)].as_mut() else {
@@ -32,7 +39,16 @@ impl Engine {
         if waiting == 0 {
             return;
         }
-        for key in keys(waiting).take(most) {
+        let mut left = most;
+        for key in keys(waiting) {
+            if self.body(key).is_none() {
+                (self.stale, self.unheard) = (self.stale & !bit(key), self.unheard & !bit(key));
+                continue;
+            }
+            if left == 0 {
+                return;
+            }
+            left -= 1;
             self.unheard &= !bit(key);
             let tuned = self.tuned_under(&Dampers::OFF, key);
             if !self.take_up(key, tuned) {
