@@ -25,7 +25,7 @@ impl Engine {
         self.follow(old);
         let mut tuned = 0;
         for key in keys(old.awake) {
-            if self.is_fit(key, &drain) {
+            if self.is_fit(key) {
                 continue;
             }
             if tuned == most {

@@ -15,8 +15,8 @@ impl Engine {
     }
 
     /// Whether a body is tuned to what holds now, and has nothing left to be put right.
-    pub(super) fn is_fit(&self, key: u8, drain: &Drain) -> bool {
-        let (tuned, hearing) = (self.tuned(key, drain), self.hearing(key));
+    pub(super) fn is_fit(&self, key: u8) -> bool {
+        let (tuned, hearing) = (self.tuned(key), self.hearing(key));
         self.body(key)
             .is_none_or(|body| body.is_tuned(&tuned, &hearing))
     }

@@ -1,7 +1,7 @@
 //! A mesh becomes an instrument while it is played: the preview first, then full quality, without a break.
 
 use super::*;
-use crate::engine::{Hit, Settings};
+use crate::engine::{Hit, Outputs, Settings};
 use crate::factory;
 use crate::shelf::{OWN, Own};
 use crate::stage::Stage;
@@ -55,7 +55,7 @@ impl Heard {
                     self.stage.hit(key, &Hit::plain(0.5));
                 }
             }
-            self.stage.process(&mut left, &mut right);
+            self.stage.render(&mut Outputs::main(&mut left, &mut right));
             struck
         });
         self.longest_s = self.longest_s.max(start.elapsed().as_secs_f64());
