@@ -20,8 +20,8 @@ struct Act {
 ///
 /// Only [`Stage::new`] allocates.
 pub(crate) struct Stage {
-    /// Whether to wait for an instrument, as when rendering offline: then it enters at the sample
-    /// where it was asked for.
+    /// Whether to wait for instruments and their drawings, as when rendering offline: then they enter at
+    /// the sample where they were asked for.
     patient: bool,
     present: Act,
     number: usize,
@@ -224,6 +224,7 @@ impl Stage {
     /// Renders as many samples as the shorter of the two slices holds.
     pub(crate) fn process(&mut self, left: &mut [f32], right: &mut [f32]) {
         let frames = left.len().min(right.len());
+        self.handover.pass(frames);
         let (left, right) = (&mut left[..frames], &mut right[..frames]);
         let until = self.until_handover().unwrap_or(frames).min(frames);
         self.sound(&mut left[..until], &mut right[..until]);

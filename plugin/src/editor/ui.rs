@@ -1,7 +1,6 @@
 //! Everything that the window shows, without the window.
 
 use super::caption::Told;
-use super::figure::key_name;
 use super::frame::Frame;
 use super::hands::Hands;
 use super::header::{Top, header};
@@ -25,6 +24,7 @@ use super::trimming::Trimming;
 use super::view::{Sight, View};
 use super::why::{Blow, Leaf, Spectrum, Why, damping};
 use crate::engine::{Settings, contact_s};
+use crate::key_name::key_name;
 use crate::params::Controls;
 use crate::params::mallet::{HARDNESS, MALLET};
 use crate::shelf::Shelved;
@@ -136,14 +136,14 @@ impl Ui {
         let instrument = self.param("instr");
         #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
         let index = instrument.as_ref().map_or(0.0, Param::plain).round() as usize;
-        let shelf = Arc::clone(self.controls.shelf());
-        let index = shelf.number(index);
+        let index = self.controls.shelf().number(index);
         let frame = if self.frame.instrument == index {
             &*self.frame
         } else {
             &self.nothing
         };
-        self.shown.follow(index, |number| shelf.bank(number), frame);
+        self.shown
+            .follow(index, self.controls.sounding(index), frame);
         let all = ui.max_rect();
         ui.painter().rect_filled(all, 0.0, theme.ground);
         let places = Places::of(all);

@@ -12,7 +12,7 @@ mod sway;
 pub use portrait::{Paint, Portrait, Swinging};
 
 use super::caption::{CAPTION, Told, caption, place};
-use super::figure::{key_name, tint};
+use super::figure::tint;
 use super::frame::Frame;
 use super::hold::Hold;
 use super::kind::Kind;
@@ -21,6 +21,8 @@ use super::param::Param;
 use super::shown::Shown;
 use super::solid::{Place, Solid, Vector};
 use super::theme::{Cause, NEAR, Theme};
+use crate::key_name::key_name;
+use crate::shelf::Shelved;
 use camera::Camera;
 use egui::{CursorIcon, Id, Rect, Role, Sense, Shape, Ui, WidgetInfo, pos2, vec2};
 use marks::{Mark, controls, mark};
@@ -38,14 +40,21 @@ pub(super) fn first_axes(kind: Kind) -> [Vector; 3] {
 
 /// What the panel remembers.
 pub(super) struct View {
-    /// Instrument and key of the body, and its surface.
-    solid: Option<(usize, u8, Solid)>,
+    /// The body, and its surface.
+    solid: Option<(Seen, Solid)>,
     portrait: Portrait,
     /// How far the picture exaggerates, 1 for well to be seen, 0 for not at all.
     motion: f32,
     press: Press,
     /// Where it was clicked last, and as which place.
     clicked: Option<(Vector, Place)>,
+}
+
+/// Whose body it is, and its key.
+struct Seen {
+    instrument: usize,
+    bank: Shelved,
+    key: u8,
 }
 
 /// What the button that is held down does.
@@ -105,7 +114,8 @@ impl View {
         sight: &Sight<'_, '_>,
         hold: &mut Hold,
     ) -> Option<String> {
-        let (key, solid) = self.follow(sight)?;
+        let (seen, solid) = self.follow(sight)?;
+        let key = seen.key;
         let top_left = pos2(area.left(), area.top() + CAPTION);
         let stage = Rect::from_min_max(top_left, area.max - vec2(0.0, CONTROLS));
         let response = ui.interact(area, Id::unique("body"), Sense::click_and_drag());
@@ -125,7 +135,7 @@ impl View {
         };
         response.on_hover_and_drag_cursor(cursor);
         let kind = solid.kind;
-        self.solid = Some((sight.instrument, key, solid));
+        self.solid = Some((seen, solid));
         hovered.map(|_| match on {
             Some((_, at)) => format!("A click strikes here, {}", place(kind, at.along)),
             None => "Drag to turn the body, wheel to come nearer; a double click looks as at first"
@@ -134,23 +144,28 @@ impl View {
     }
 
     /// The surface of the body that is shown; taken out, to be put back.
-    fn follow(&mut self, sight: &Sight<'_, '_>) -> Option<(u8, Solid)> {
-        let key = sight.shown().key;
+    fn follow(&mut self, sight: &Sight<'_, '_>) -> Option<(Seen, Solid)> {
+        let seen = Seen {
+            instrument: sight.instrument,
+            bank: sight.shown().bank.clone(),
+            key: sight.shown().key,
+        };
         let known = self.solid.take();
-        let instrument = known.as_ref().map(|(instrument, _, _)| *instrument);
-        if let Some((_, old, solid)) = known
-            && instrument == Some(sight.instrument)
-            && old == key
+        let instrument = known.as_ref().map(|(old, _)| old.instrument);
+        if let Some((old, solid)) = known
+            && instrument == Some(seen.instrument)
+            && old.key == seen.key
+            && old.bank.is(&seen.bank)
         {
-            return Some((key, solid));
+            return Some((seen, solid));
         }
-        let bank = &sight.shown().bank;
-        let body = bank.bodies.iter().find(|body| body.key == key)?;
+        let bank = &seen.bank;
+        let body = bank.bodies.iter().find(|body| body.key == seen.key)?;
         let solid = Solid::of(body, &bank.material);
-        let other = instrument != Some(sight.instrument);
+        let other = instrument != Some(seen.instrument);
         self.portrait.turn_to(&solid, other);
         self.clicked = None;
-        Some((key, solid))
+        Some((seen, solid))
     }
 
     fn paint(&mut self, ui: &Ui, area: Rect, solid: &Solid, sight: &Sight<'_, '_>) {
