@@ -63,7 +63,7 @@ pub use mode_shape::ModeShape;
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
-    FreeFineness, FreeRecipe, FreeTuning, ImperfectionRecipe, ImperfectionSize, KeyRange,
+    FreeFineness, FreeRecipe, FreeTuning, ImperfectionRecipe, ImperfectionSize, KeyRange, Knob,
     ListenerRecipe, LossRecipe, MeshOrder, MeshRecipe, MeshShape, Recipe, RecipeError,
     RecipeFileError, ResonatorRecipe, ShapeRecipe, TunedMode, TuningRecipe, Variation,
 };

@@ -2,10 +2,12 @@
 
 mod check;
 mod closed;
+mod dimensions;
 mod error;
 mod free;
 #[cfg(test)]
 mod free_tests;
+mod knob;
 mod material;
 mod order;
 mod raw;
@@ -14,6 +16,7 @@ mod vary;
 
 pub use error::{RecipeError, RecipeFileError};
 pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
+pub use knob::Knob;
 pub use order::MeshOrder;
 pub use vary::Variation;
 

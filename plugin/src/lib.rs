@@ -9,6 +9,7 @@ pub mod engine;
 pub mod factory;
 mod guard;
 pub mod hands;
+mod key_name;
 mod layouts;
 pub mod maker;
 #[cfg(feature = "gui")]
@@ -103,8 +104,7 @@ impl Plugin for Idiophone {
         let shelf = self.controls.shelf();
         self.workshop = Some(Workshop::open(Arc::clone(shelf), rate_hz));
         let number = shelf.number(self.controls.body.index());
-        let solved = Arc::clone(self.controls.solved());
-        self.maker = Some(Maker::open(Arc::clone(shelf), solved, number, rate_hz));
+        self.maker = Some(Maker::open(self.controls.stores(), number, rate_hz));
         let mut stage = match self.controls.shaped(number) {
             Some(own) => Stage::new(number, own.bank(), rate_hz),
             None => Stage::new(number, &shelf.bank(number), rate_hz),

@@ -12,6 +12,8 @@ pub enum Subject {
     Bank,
     /// What else of the song is not known.
     Song,
+    /// What the knobs of the drawing ask for and no body can be.
+    Drawing,
     /// A bank that was asked for.
     File,
     /// Files that were dropped on the window.

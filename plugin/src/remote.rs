@@ -72,6 +72,7 @@ pub(crate) fn pages(controls: &Controls, context: &mut impl RemoteControlsContex
             page.add_param(&body.sympathy);
         });
         section.add_page("Shape", |page| {
+            page.add_param(&shape.length);
             page.add_param(&shape.wall);
             page.add_param(&shape.breadth);
             page.add_param(&shape.profile);

@@ -20,8 +20,8 @@ struct Act {
 ///
 /// Only [`Stage::new`] allocates.
 pub(crate) struct Stage {
-    /// Whether to wait for an instrument, as when rendering offline: then it enters at the sample
-    /// where it was asked for.
+    /// Whether to wait for instruments and their drawings, as when rendering offline: then they enter at
+    /// the sample where they were asked for.
     patient: bool,
     present: Act,
     number: usize,
@@ -224,6 +224,7 @@ impl Stage {
     /// Renders all samples of the outputs.
     pub(crate) fn render(&mut self, out: &mut Outputs<'_>) {
         let frames = out.frames();
+        self.handover.pass(frames);
         self.tune_ahead(frames);
         let until = self.until_handover().unwrap_or(frames).min(frames);
         self.sound(&mut out.part(0..until));

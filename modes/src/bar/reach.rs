@@ -35,6 +35,9 @@ const DAMPING_CENTS: f64 = 1.0;
 const AFTER_GOOD: f64 = 0.2;
 const AFTER_BAD: f64 = 10.0;
 
+/// Grids of the fineness asked for on which a bar is sought at most.
+const GRIDS: usize = 3;
+
 /// Where a search ended.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reached {
@@ -45,14 +48,14 @@ pub(super) struct Reached {
 }
 
 /// A bar of `stock` as near to its partials as the search comes within `goal` cents, from the logarithms `x` on; on a
-/// coarse grid first.
+/// coarse grid first; none that stays on the grid that it is sought on.
 pub(super) fn reach(
     stock: &BarStock,
     material: &Material,
     fineness: BarFineness,
     (tuning, goal): (&BarTuning, [f64; 2]),
     x: Dimensions,
-) -> Result<Reached, SolveError> {
+) -> Result<Option<Reached>, SolveError> {
     let on = |grid: BarGrid, x: Dimensions| {
         let cents_off = |x: Dimensions| -> Result<[f64; 3], SolveError> {
             let quarter = Quarter::new(&bar_of(stock, x.map(f64::exp)), grid, material)?;
@@ -60,16 +63,20 @@ pub(super) fn reach(
         };
         search(cents_off, goal, x)
     };
-    let grid = fineness.grid(&bar_of(stock, x.map(f64::exp)));
-    let rough = on(grid.coarse(), x)?;
-    if !within(rough.cents, goal) {
-        return Ok(rough);
+    let grid_of = |x: Dimensions| fineness.grid(&bar_of(stock, x.map(f64::exp)));
+    let mut at = on(grid_of(x).coarse(), x)?;
+    if !within(at.cents, goal) {
+        return Ok(None);
     }
-    // The bar may have become so short that it is cut otherwise.
-    on(
-        fineness.grid(&bar_of(stock, rough.x.map(f64::exp))),
-        rough.x,
-    )
+    for _ in 0..GRIDS {
+        let grid = grid_of(at.x);
+        at = on(grid, at.x)?;
+        // A bar that has become shorter may be cut otherwise.
+        if grid_of(at.x) == grid {
+            return Ok(Some(at));
+        }
+    }
+    Ok(None)
 }
 
 fn search(

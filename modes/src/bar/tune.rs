@@ -123,6 +123,7 @@ pub fn retune_bar(
                 let grid = fineness.grid(&turn.bar(stock, beam.x));
                 match tune_solid(turn, stock, material, &[grid], tuning, &beam) {
                     Err(BarTuneError::NotTuned { .. }) => {}
+                    Ok(tuned) if !is_in_tune(&tuned, grid, material, fineness, tuning)? => {}
                     result => return result,
                 }
             }
@@ -163,6 +164,7 @@ pub fn tune_bar(
             let grid = fineness.grid(&turn.bar(stock, beam.x));
             match tune_solid(turn, stock, material, &[grid.coarse(), grid], tuning, &beam) {
                 Err(error @ BarTuneError::NotTuned { .. }) => missed = missed.or(Some(error)),
+                Ok(tuned) if !is_in_tune(&tuned, grid, material, fineness, tuning)? => {}
                 result => return result,
             }
             starts.push(turn.dimensions(beam.x));
@@ -190,11 +192,29 @@ fn reached(
     x: Dimensions,
 ) -> Result<Option<TunedBar>, SolveError> {
     let goal = MARGIN.map(|share| share * tuning.tolerance_cents);
-    let Reached { x, cents } = reach(stock, material, fineness, (tuning, goal), x)?;
-    Ok(in_tune(cents, tuning).then(|| TunedBar {
+    let found = reach(stock, material, fineness, (tuning, goal), x)?;
+    let found = found.filter(|found| in_tune(found.cents, tuning));
+    Ok(found.map(|Reached { x, .. }| TunedBar {
         bar: bar_of(stock, x.map(f64::exp)),
         end: End::Reach { x },
     }))
+}
+
+/// Whether a bar that was tuned on `grid` is in tune on the one that it is solved on, which is another if
+/// its length has moved far.
+fn is_in_tune(
+    tuned: &TunedBar,
+    grid: BarGrid,
+    material: &Material,
+    fineness: BarFineness,
+    tuning: &BarTuning,
+) -> Result<bool, SolveError> {
+    let own = fineness.grid(&tuned.bar);
+    if own == grid {
+        return Ok(true);
+    }
+    let quarter = Quarter::new(&tuned.bar, own, material)?;
+    Ok(in_tune(miss::cents(bending_hz(&quarter)?, tuning), tuning))
 }
 
 /// Whether partials so far off are as good as asked for.

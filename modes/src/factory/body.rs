@@ -3,12 +3,9 @@
 use super::BuildError;
 use super::bars::Bars;
 use super::bowls::{Bowls, imperfection};
-use crate::bar::{
-    BarFineness, BarStock, BarTuneError, BarTuning, TunedBar, bar_modes, retune_bar, tune_bar,
-    vibraphone_ratios, vibraphone_stock,
-};
+use crate::bar::{TunedBar, bar_modes};
 use crate::revolution::{Bell, LAYERS, SolvedWall};
-use crate::shape::{Bar, Tube};
+use crate::shape::Tube;
 use crate::solve::Band;
 use crate::tube::{TubeTuning, TuneError, predicted_length_m, tune_tube};
 use crate::{Recipe, ShapeRecipe, SolveError, SolvedBody, equal_temperament_hz};
@@ -17,8 +14,6 @@ use crate::{Recipe, ShapeRecipe, SolveError, SolvedBody, equal_temperament_hz};
 pub(super) struct Maker<'a> {
     recipe: &'a Recipe,
     shape: Shape<'a>,
-    /// Of bars, across half the width and through the thickness.
-    cells: [usize; 2],
 }
 
 /// What all keys share.
@@ -26,7 +21,7 @@ enum Shape<'a> {
     /// A tube, cut for each key.
     Tube(Bell),
     /// A bar, hollowed for each key.
-    Bar(Bars),
+    Bar(Bars<'a>),
     /// Bowls, solved once and scaled to each key.
     Bowls(Box<Bowls<'a>>),
 }
@@ -37,12 +32,6 @@ const BAR_CELLS: [usize; 2] = [3, 2];
 
 /// The same of a draft.
 const DRAFT_CELLS: [usize; 2] = [2, 1];
-
-/// Pitch of key 69, in Hz, for which a vibraphone's stock is measured.
-const STOCK_A4_HZ: f64 = 440.0;
-
-/// Halvings by which ratios within reach are looked for.
-const RATIO_STEPS: usize = 6;
 
 impl<'a> Maker<'a> {
     /// What cannot be tuned is said here, before the minutes that the rest may take.
@@ -86,9 +75,11 @@ impl<'a> Maker<'a> {
                 width,
                 undercut,
             } => Shape::Bar(Bars {
-                ratios,
+                recipe,
+                asked: ratios,
                 times: [thickness, width],
                 undercut,
+                cells,
             }),
             ShapeRecipe::Bowl(bowl) => {
                 let bowls = Bowls::new(recipe, &bowl)
@@ -101,21 +92,17 @@ impl<'a> Maker<'a> {
                 });
             }
         };
-        Ok(Self {
-            recipe,
-            shape,
-            cells,
-        })
+        Ok(Self { recipe, shape })
     }
 
     /// Mesh and element in words.
     pub(super) fn mesh(&self) -> String {
         let longest_m = self.recipe.mesh.max_element_m;
-        match self.shape {
-            Shape::Bar(..) => format!(
+        match &self.shape {
+            Shape::Bar(bars) => format!(
                 "20-node hexahedra of a quarter, 2×2×2 points, {} across half the width, {} through, \
                  at most {longest_m} m along",
-                self.cells[0], self.cells[1]
+                bars.cells[0], bars.cells[1]
             ),
             _ => format!(
                 "8-node quadrilaterals of the meridian, 3×3 points, {LAYERS} through the wall, at most \
@@ -154,33 +141,24 @@ impl<'a> Maker<'a> {
                     .map_err(|error| self.out_of_tune(key, error))?;
                 Ok(solved.body(imperfection))
             }
-            Shape::Bar(bars) => self.bar_modes(&self.tuned_bar(bars, key)?, key, 1),
+            Shape::Bar(bars) => self.bar_modes(bars, &self.tuned_bar(bars, key, None)?, key, 1),
             Shape::Bowls(bowls) => bowls
                 .body(key)
                 .map_err(|error| self.out_of_tune(key, error)),
         }
     }
 
-    /// As [`Self::solve`]; but of a bar whose partials are out of reach, one with the nearest within.
-    pub(super) fn solve_within(&self, key: u8) -> Result<SolvedBody, BuildError> {
-        let error = match self.solve(key) {
-            Err(error) => self.with_ratios(error),
-            solved => return solved,
+    /// As [`Self::solve`]; but of a bar that cannot be had, the nearest to it towards a vibraphone's own.
+    /// Also what share of that way it is.
+    pub(super) fn solve_within(&self, key: u8) -> Result<(SolvedBody, f64), BuildError> {
+        let Shape::Bar(bars) = &self.shape else {
+            return Ok((self.solve(key)?, 1.0));
         };
-        let (
-            BuildError::Tune {
-                error: TuneError::Ratios { within, .. },
-                ..
-            },
-            Shape::Bar(bars),
-        ) = (&error, &self.shape)
-        else {
-            return Err(error);
+        let (share, tuned) = match self.tuned_bar(bars, key, None) {
+            Ok(tuned) => (1.0, tuned),
+            Err(error) => bars.nearest(key).ok_or(error)?,
         };
-        let bar = self
-            .bar_of(key, *within, bars.times)
-            .map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))?;
-        self.bar_modes(&bar, key, 1)
+        Ok((self.bar_modes(bars, &tuned, key, 1)?, share))
     }
 
     /// As [`Self::solve`]; a bar beginning with what was its key's `last`. Also what the next begins with.
@@ -192,14 +170,8 @@ impl<'a> Maker<'a> {
         let Shape::Bar(bars) = &self.shape else {
             return Ok((self.solve(key)?, None));
         };
-        let (stock, tuning) = self.stock_of(key, bars.ratios(key), bars.times);
-        let (material, fineness) = (&self.recipe.material, self.bar_fineness(1));
-        let tuned = match last {
-            Some(last) => retune_bar(last, &stock, material, fineness, &tuning),
-            None => tune_bar(&stock, material, fineness, &tuning),
-        };
-        let tuned = tuned.map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))?;
-        Ok((self.bar_modes(&tuned.bar, key, 1)?, Some(tuned)))
+        let tuned = self.tuned_bar(bars, key, last)?;
+        Ok((self.bar_modes(bars, &tuned, key, 1)?, Some(tuned)))
     }
 
     /// As [`halved`].
@@ -211,8 +183,9 @@ impl<'a> Maker<'a> {
                 Ok([at(1)?, at(2)?])
             }
             Shape::Bar(bars) => {
-                let bar = self.tuned_bar(bars, key)?;
-                Ok([self.bar_modes(&bar, key, 1)?, self.bar_modes(&bar, key, 2)?])
+                let tuned = self.tuned_bar(bars, key, None)?;
+                let at = |finer| self.bar_modes(bars, &tuned, key, finer);
+                Ok([at(1)?, at(2)?])
             }
             Shape::Bowls(bowls) => {
                 let at = |finer| Ok(bowls.finer(finer)?.body(None));
@@ -228,42 +201,14 @@ impl<'a> Maker<'a> {
             .map_err(|error| self.out_of_tune(key, error))
     }
 
-    fn tuned_bar(&self, bars: &Bars, key: u8) -> Result<Bar, BuildError> {
-        self.bar_of(key, bars.ratios(key), bars.times)
+    fn tuned_bar(
+        &self,
+        bars: &Bars<'_>,
+        key: u8,
+        last: Option<&TunedBar>,
+    ) -> Result<TunedBar, BuildError> {
+        bars.tuned(key, last)
             .map_err(|error| self.out_of_tune(key, TuneError::Bar(error)))
-    }
-
-    /// The bar of `key` with these ratios, of stock so many times as thick and as wide.
-    fn bar_of(
-        &self,
-        key: u8,
-        ratios: [f64; 2],
-        [thicker, wider]: [f64; 2],
-    ) -> Result<Bar, BarTuneError> {
-        let (stock, tuning) = self.stock_of(key, ratios, [thicker, wider]);
-        let material = &self.recipe.material;
-        Ok(tune_bar(&stock, material, self.bar_fineness(1), &tuning)?.bar)
-    }
-
-    /// What that bar is cut from, and what it is tuned to.
-    fn stock_of(
-        &self,
-        key: u8,
-        ratios: [f64; 2],
-        [thicker, wider]: [f64; 2],
-    ) -> (BarStock, BarTuning) {
-        let tuning = BarTuning {
-            pitch_hz: self.pitch_hz(key),
-            ratios,
-            tolerance_cents: self.recipe.tuning.tolerance_cents,
-        };
-        // At another pitch the same drawing at another size: all stock has its key's partials.
-        let mut stock = vibraphone_stock(key).scaled(STOCK_A4_HZ / self.recipe.tuning.a4_hz);
-        stock.thickness_m *= thicker;
-        stock.width_m *= wider;
-        // A thicker bar of the same drawing is as much longer as the root: bending goes with t/l².
-        stock.length_m *= thicker.sqrt();
-        (stock, tuning)
     }
 
     /// `error` with ratios that can be had, if it was those asked for that could not.
@@ -279,7 +224,7 @@ impl<'a> Maker<'a> {
         else {
             return error;
         };
-        let Some(within) = self.ratios_towards(bars, *key) else {
+        let Some(within) = bars.ratios_within(*key) else {
             return error;
         };
         let (pitch_hz, asked) = (self.pitch_hz(*key), bars.ratios(*key));
@@ -293,33 +238,6 @@ impl<'a> Maker<'a> {
         )
     }
 
-    /// Of the ratios from a vibraphone's own to those `asked` for, the farthest that the bar of `key` was
-    /// found to have.
-    fn ratios_towards(&self, bars: &Bars, key: u8) -> Option<[f64; 2]> {
-        let asked = bars.ratios(key);
-        let own = vibraphone_ratios(key);
-        let at = |share: f64| {
-            [0, 1].map(|i| {
-                let ratio = own[i] + share * (asked[i] - own[i]);
-                (100.0 * ratio).round() / 100.0
-            })
-        };
-        let can_be_had = |share: f64| self.bar_of(key, at(share), bars.times).is_ok();
-        if !can_be_had(0.0) {
-            return None;
-        }
-        let (mut near, mut far) = (0.0, 1.0);
-        for _ in 0..RATIO_STEPS {
-            let share = 0.5 * (near + far);
-            if can_be_had(share) {
-                near = share;
-            } else {
-                far = share;
-            }
-        }
-        Some(at(near))
-    }
-
     fn tube_modes(&self, bell: &Bell, key: u8, finer: usize) -> Result<SolvedWall, BuildError> {
         let recipe = self.recipe;
         let wall = bell.wall(recipe.mesh.max_element_m / finer as f64, finer * LAYERS);
@@ -327,17 +245,15 @@ impl<'a> Maker<'a> {
             .map_err(|error| self.unsolved(key, error))
     }
 
-    fn bar_fineness(&self, finer: usize) -> BarFineness {
-        BarFineness {
-            max_element_m: self.recipe.mesh.max_element_m / finer as f64,
-            across: finer * self.cells[0],
-            through: finer * self.cells[1],
-        }
-    }
-
-    fn bar_modes(&self, bar: &Bar, key: u8, finer: usize) -> Result<SolvedBody, BuildError> {
-        let fineness = self.bar_fineness(finer);
-        bar_modes(bar, &self.recipe.material, fineness, band(self.recipe))
+    fn bar_modes(
+        &self,
+        bars: &Bars<'_>,
+        tuned: &TunedBar,
+        key: u8,
+        finer: usize,
+    ) -> Result<SolvedBody, BuildError> {
+        let (material, fineness) = (&self.recipe.material, bars.fineness(finer));
+        bar_modes(&tuned.bar, material, fineness, band(self.recipe))
             .map_err(|error| self.unsolved(key, error))
     }
 

@@ -77,14 +77,15 @@ impl<'a> Builder<'a> {
         Ok(self.finished(key, self.0.solve(key)?))
     }
 
-    /// The body of `key`; if a bar cannot have the partials asked for, one with the nearest to them that
-    /// were found within reach.
+    /// The body of `key`; if a bar cannot be had, the nearest to it that was found on the way from a
+    /// vibraphone's own drawing, and what share of that way it is, 0…1.
     ///
     /// # Errors
     ///
     /// If there is none either.
-    pub fn body_within(&self, key: u8) -> Result<Finished, BuildError> {
-        Ok(self.finished(key, self.0.solve_within(key)?))
+    pub fn body_within(&self, key: u8) -> Result<(Finished, f64), BuildError> {
+        let (solved, share) = self.0.solve_within(key)?;
+        Ok((self.finished(key, solved), share))
     }
 
     /// `error` with what could be had instead.
@@ -155,6 +156,38 @@ mod tests {
                     assert!(cents.abs() < 20.0, "{name} {wall} {}: {cents}", mode.hz);
                 }
             }
+        }
+    }
+
+    /// The highest bars are plates rather than bars when they are twice as wide, and cannot have half a
+    /// vibraphone's stretch.
+    #[test]
+    fn a_bar_out_of_reach_goes_part_of_the_way_and_stays_in_tune() {
+        let (name, text) = Recipe::FACTORY[1];
+        let recipe = Recipe::parse(text, name).unwrap();
+        let own = Variation::default();
+        let wide = Variation { width: 2.0, ..own };
+        let shallow = Variation {
+            profile: -1.0,
+            ..own
+        };
+        let within = |variation: &Variation, key: u8| {
+            let varied = recipe.varied(variation).unwrap();
+            let builder = Builder::new(&varied).unwrap();
+            let (finished, share) = builder.body_within(key).unwrap();
+            let body = finished.body;
+            let first = body
+                .modes
+                .iter()
+                .find(|m| m.label.to_string() == "bending 1");
+            let cents = 1200.0 * (first.unwrap().hz / body.pitch_hz).log2();
+            assert!(cents.abs() < 1.0, "{cents}");
+            share
+        };
+        for variation in [wide, shallow] {
+            let share = within(&variation, 96);
+            assert!(share > 0.1 && share < 1.0, "{variation:?}: {share}");
+            assert_eq!(within(&variation, 60), 1.0, "{variation:?}");
         }
     }
 

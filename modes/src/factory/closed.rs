@@ -275,3 +275,5 @@ fn bar_felt(ends: BarEnds) -> f64 {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod varied_tests;

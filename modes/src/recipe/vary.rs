@@ -1,17 +1,25 @@
 //! A recipe with its bodies' drawing changed, as by knobs.
 
-use super::{Recipe, RecipeError, ShapeRecipe};
+use super::dimensions::dimensions;
+use super::{Knob, Recipe, RecipeError};
 use crate::Material;
 use toml::{Table, Value};
 
-/// How the bodies of an instrument differ from the recipe's drawing.
+/// How the bodies of an instrument differ from the recipe's drawing; what of it means nothing to a shape,
+/// [`ShapeRecipe::idle`](super::ShapeRecipe::idle) says.
 ///
-/// Each body keeps its pitch: tubes are cut, bars hollowed and bowls scaled to it.
+/// Each body keeps its pitch: tubes are cut, bars hollowed, bowls scaled, and strings and films tightened
+/// to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variation {
-    /// Thickness of the wall, of a bar the bar's, over that of the recipe.
+    /// Length over that of the recipe: of bowls the height, of drums and plates all sides. What bends is
+    /// thicker as the square, tubes of a larger diameter too; what is taut is tighter as the square.
+    pub length: f64,
+    /// Thickness of the wall, of a bar the bar's, of a string the wire's, of drums the film's, over that of
+    /// the recipe. Plates and bars grow longer as the root; strings and films are under the same stress.
     pub wall: f64,
-    /// Diameter, of a bar its width, over that of the recipe; a bowl's beside its height.
+    /// Diameter, of a bar its width, of a rectangle its second side, over that of the recipe; a bowl's
+    /// beside its height.
     pub width: f64,
     /// Of a bar how far its undercut stretches the partials, −1…1 (`bar::stretched`); of a bowl how much
     /// thicker the rim gets and the base thinner, in octaves. 0 is the recipe's.
@@ -24,6 +32,7 @@ impl Default for Variation {
     /// The recipe's own drawing.
     fn default() -> Self {
         Self {
+            length: 1.0,
             wall: 1.0,
             width: 1.0,
             profile: 0.0,
@@ -32,17 +41,32 @@ impl Default for Variation {
     }
 }
 
-impl ShapeRecipe {
-    /// Whether [`Variation`] changes it: what is known in closed form is not drawn.
-    #[must_use]
-    pub fn varies(&self) -> bool {
-        !matches!(self, Self::Closed(_))
-    }
-
-    /// Whether [`Variation::profile`] changes it: a tube is straight.
-    #[must_use]
-    pub fn has_profile(&self) -> bool {
-        self.varies() && !matches!(self, Self::Tube { .. })
+impl Variation {
+    /// The same with what `knob` changes as the recipe has it.
+    fn without(self, knob: Knob) -> Self {
+        let own = Self::default();
+        match knob {
+            Knob::Length => Self {
+                length: own.length,
+                ..self
+            },
+            Knob::Wall => Self {
+                wall: own.wall,
+                ..self
+            },
+            Knob::Width => Self {
+                width: own.width,
+                ..self
+            },
+            Knob::Profile => Self {
+                profile: own.profile,
+                ..self
+            },
+            Knob::Poisson => Self {
+                poisson: own.poisson,
+                ..self
+            },
+        }
     }
 }
 
@@ -54,17 +78,17 @@ impl Recipe {
     ///
     /// If a dimension leaves its range.
     pub fn varied(&self, variation: &Variation) -> Result<Self, RecipeError> {
-        let mut variation = *variation;
-        if !self.shape.has_profile() {
-            variation.profile = 0.0;
-        }
-        if variation == Variation::default() || !self.shape.varies() {
+        let idle = Knob::ALL
+            .into_iter()
+            .filter(|knob| self.shape.idle(*knob).is_some());
+        let variation = idle.fold(*variation, Variation::without);
+        if variation == Variation::default() {
             return Ok(self.clone());
         }
         // The text was read before.
         let mut table: Table = self.text.parse().unwrap_or_default();
         if let Some(body) = section(&mut table, "body") {
-            for (field, value) in self.dimensions(&variation) {
+            for (field, value) in dimensions(&self.shape, &variation) {
                 body.insert(field.to_owned(), Value::Float(value));
             }
         }
@@ -83,46 +107,6 @@ impl Recipe {
             self.spell_damping(&mut table);
         }
         Self::parse(&table.to_string(), &self.name)
-    }
-
-    /// The fields of the body that `variation` changes.
-    fn dimensions(&self, variation: &Variation) -> Vec<(&'static str, f64)> {
-        let &Variation {
-            wall,
-            width,
-            profile,
-            ..
-        } = variation;
-        match self.shape {
-            ShapeRecipe::Tube {
-                outer_radius_m,
-                wall_m,
-                ..
-            } => vec![
-                ("outer_radius_m", width * outer_radius_m),
-                ("wall_m", wall * wall_m),
-            ],
-            ShapeRecipe::Bar {
-                thickness,
-                width: own,
-                undercut,
-                ..
-            } => vec![
-                ("thickness", wall * thickness),
-                ("width", width * own),
-                ("undercut", (undercut + profile).clamp(-1.0, 1.0)),
-            ],
-            ShapeRecipe::Bowl(bowl) => {
-                let thicker = profile.exp2();
-                vec![
-                    ("rim_radius_m", width * bowl.rim_radius_m),
-                    ("base_radius_m", width * bowl.base_radius_m),
-                    ("rim_wall_m", wall * thicker * bowl.rim_wall_m),
-                    ("base_wall_m", wall / thicker * bowl.base_wall_m),
-                ]
-            }
-            ShapeRecipe::Closed(_) => Vec::new(),
-        }
     }
 
     /// Writes out the damping that came with the name of a material.
@@ -150,6 +134,7 @@ fn section<'a>(table: &'a mut Table, name: &str) -> Option<&'a mut Table> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ShapeRecipe;
 
     fn factory(name: &str) -> Recipe {
         let (name, text) = Recipe::FACTORY.iter().find(|(n, _)| *n == name).unwrap();
@@ -178,8 +163,8 @@ mod tests {
         let variation = Variation {
             wall: 1.5,
             width: 0.8,
-            profile: 0.0,
             poisson: Some(0.25),
+            ..Variation::default()
         };
         let varied = chimes.varied(&variation).unwrap();
         let (ShapeRecipe::Tube { wall_m: a, .. }, ShapeRecipe::Tube { wall_m: b, .. }) =
@@ -207,12 +192,37 @@ mod tests {
                 let varied = factory(name).varied(&Variation { wall, ..own });
                 assert!(varied.is_ok(), "{name} {wall}: {varied:?}");
             }
+            for length in [0.7, 1.4] {
+                let varied = factory(name).varied(&Variation { length, ..own });
+                assert!(varied.is_ok(), "{name} {length}: {varied:?}");
+            }
             for profile in [-1.0, 1.0] {
                 let varied = factory(name).varied(&Variation { profile, ..own });
                 assert!(varied.is_ok(), "{name} {profile}: {varied:?}");
             }
             let varied = factory(name).varied(&Variation { width: 2.0, ..own });
             assert!(varied.is_ok(), "{name}: {varied:?}");
+        }
+    }
+
+    /// What is idle changes nothing, and what is not changes the text.
+    #[test]
+    fn a_knob_is_idle_or_changes_the_recipe() {
+        let turned = Variation {
+            length: 1.1,
+            wall: 1.1,
+            width: 1.1,
+            profile: 0.1,
+            poisson: Some(0.2),
+        };
+        for (name, _) in Recipe::FACTORY {
+            let recipe = factory(name);
+            for knob in Knob::ALL {
+                let others = Knob::ALL.into_iter().filter(|other| *other != knob);
+                let alone = others.fold(turned, Variation::without);
+                let same = recipe.varied(&alone).unwrap() == recipe;
+                assert_eq!(same, recipe.shape.idle(knob).is_some(), "{name} {knob:?}");
+            }
         }
     }
 

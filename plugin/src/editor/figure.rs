@@ -81,15 +81,6 @@ pub(super) fn is_black(key: u8) -> bool {
     matches!(key % 12, 1 | 3 | 6 | 8 | 10)
 }
 
-/// A key's name, with C4 for key 60.
-pub(super) fn key_name(key: u8) -> String {
-    const NAMES: [&str; 12] = [
-        "C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B",
-    ];
-    let octave = i32::from(key / 12) - 1;
-    format!("{}{octave}", NAMES[usize::from(key % 12)])
-}
-
 /// Lays the bodies out as a vibraphone's are: black keys behind, white keys before, low ones on the left,
 /// long ones beside short ones
 /// as they are.
@@ -227,11 +218,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn keys_have_names() {
-        assert_eq!((key_name(60), key_name(61)), ("C4".into(), "C#4".into()));
-        assert_eq!((key_name(0), key_name(127)), ("C-1".into(), "G9".into()));
     }
 }

@@ -1,6 +1,6 @@
 //! The row of bodies: a keyboard to play by mouse and by the computer's keys.
 
-use super::figure::{Figure, key_name, lay_out};
+use super::figure::{Figure, lay_out};
 use super::frame::Frame;
 use super::hold::Hold;
 use super::keys::{Press, letter, presses};
@@ -9,6 +9,7 @@ use super::outline::Outlines;
 use super::paint_body::{Look, paint_body};
 use super::param::Param;
 use super::theme::{Theme, small};
+use crate::key_name::key_name;
 use egui::{Align2, CursorIcon, Id, Pos2, Rect, Role, Sense, Ui, WidgetInfo, pos2};
 use modes::Bank;
 use nice_plug::prelude::ParamSetter;

@@ -1,9 +1,9 @@
 //! The body whose partials are shown.
 
-use super::figure::key_name;
 use super::frame::Frame;
 use super::kind::{Kind, Noun};
 use crate::engine::Partial;
+use crate::key_name::key_name;
 use crate::shelf::Shelved;
 use modes::Matter;
 
@@ -38,23 +38,22 @@ impl Shown {
         }
     }
 
-    /// Follows instrument and blows; `bank` finds the one of a number.
-    pub(super) fn follow(
-        &mut self,
-        instrument: usize,
-        bank: impl FnOnce(usize) -> Shelved,
-        frame: &Frame,
-    ) {
+    /// Follows instrument, drawing and blows; `bank` is that of the instrument.
+    pub(super) fn follow(&mut self, instrument: usize, bank: Shelved, frame: &Frame) {
         let struck = frame.struck;
         let key = struck.map(|struck| struck.key);
-        if instrument != self.instrument || key.is_some_and(|key| key != self.key) {
-            let known = key.filter(|_| instrument == self.instrument);
-            let bank = if instrument == self.instrument {
-                self.bank.clone()
-            } else {
-                bank(instrument)
-            };
+        let same = instrument == self.instrument;
+        if !same || key.is_some_and(|key| key != self.key) {
+            let known = key.filter(|_| same);
             *self = Self::new(instrument, bank, known.or(Some(self.key)));
+        } else if !bank.is(&self.bank) {
+            // What rings goes on in the new drawing.
+            let (peak, count) = (self.peak, self.count);
+            *self = Self {
+                peak,
+                count,
+                ..Self::new(instrument, bank, Some(self.key))
+            };
         }
         if self.count != struck.map(|struck| struck.count) {
             self.count = struck.map(|struck| struck.count);

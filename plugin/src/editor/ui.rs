@@ -2,7 +2,6 @@
 
 use super::caption::Told;
 use super::doors::{Doors, Rooms};
-use super::figure::key_name;
 use super::frame::Frame;
 use super::hands::Hands;
 use super::header::{Top, header};
@@ -26,6 +25,7 @@ use super::trimming::Trimming;
 use super::view::{Sight, View};
 use super::why::{Blow, Leaf, Spectrum, Why, damping};
 use crate::engine::{Settings, contact_s};
+use crate::key_name::key_name;
 use crate::params::Controls;
 use crate::params::mallet::{HARDNESS, MALLET};
 use crate::shelf::Shelved;
@@ -139,14 +139,14 @@ impl Ui {
         let instrument = self.param("instr");
         #[expect(clippy::cast_sign_loss, reason = "what is below 0 saturates")]
         let index = instrument.as_ref().map_or(0.0, Param::plain).round() as usize;
-        let shelf = Arc::clone(self.controls.shelf());
-        let index = shelf.number(index);
+        let index = self.controls.shelf().number(index);
         let frame = if self.frame.instrument == index {
             &*self.frame
         } else {
             &self.nothing
         };
-        self.shown.follow(index, |number| shelf.bank(number), frame);
+        self.shown
+            .follow(index, self.controls.sounding(index), frame);
         let all = ui.max_rect();
         ui.painter().rect_filled(all, 0.0, theme.ground);
         let places = Places::of(all);

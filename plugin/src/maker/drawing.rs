@@ -1,10 +1,13 @@
 //! What of a recipe's drawing is changed, and the recipe that comes of it.
 
+use crate::params::shape::{BREADTH, LENGTH, POISSON, PROFILE, WALL};
 use modes::{Bank, Recipe, RecipeError, Variation};
 
 /// How the bodies differ from the recipe's drawing; see [`Variation`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawing {
+    /// Length over the recipe's.
+    pub length: f32,
     /// Thickness over the recipe's.
     pub wall: f32,
     /// Width over the recipe's.
@@ -16,16 +19,31 @@ pub struct Drawing {
 }
 
 /// Range that Poisson's ratio is kept in: what recipes allow of solids that narrow when stretched.
-const POISSON: [f64; 2] = [0.0, 0.49];
+const RATIOS: [f64; 2] = [0.0, 0.49];
 
 impl Drawing {
     /// The recipe's own.
     pub const OWN: Self = Self {
+        length: 1.0,
         wall: 1.0,
         width: 1.0,
         profile: 0.0,
         poisson: 0.0,
     };
+
+    /// The names of the knobs that are turned.
+    pub(super) fn turned(&self) -> Vec<&'static str> {
+        let own = Self::OWN;
+        let knobs = [
+            (LENGTH, self.length != own.length),
+            (WALL, self.wall != own.wall),
+            (BREADTH, self.width != own.width),
+            (PROFILE, self.profile != own.profile),
+            (POISSON, self.poisson != own.poisson),
+        ];
+        let turned = knobs.into_iter().filter(|(_, turned)| *turned);
+        turned.map(|(knob, _)| knob.name).collect()
+    }
 
     /// The recipe with this drawing.
     ///
@@ -36,10 +54,11 @@ impl Drawing {
         let moved = || recipe.material.poisson() + f64::from(self.poisson);
         let changed = self.poisson != 0.0;
         recipe.varied(&Variation {
+            length: f64::from(self.length),
             wall: f64::from(self.wall),
             width: f64::from(self.width),
             profile: f64::from(self.profile),
-            poisson: changed.then(|| moved().clamp(POISSON[0], POISSON[1])),
+            poisson: changed.then(|| moved().clamp(RATIOS[0], RATIOS[1])),
         })
     }
 }

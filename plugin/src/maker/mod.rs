@@ -4,17 +4,21 @@
 //! first and coarse, then the other keys, then all of them as the recipe asks.
 
 mod drawing;
+mod drawn;
 mod order;
 mod passes;
+mod shortfall;
 mod solved;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use drawing::wanted_text;
 pub use drawing::{Drawing, recipe_of};
+pub use drawn::Drawn;
 pub(crate) use order::Order;
 pub use solved::Solved;
 
+use crate::notices::Notices;
 use crate::shelf::Shelf;
 use passes::Passes;
 use std::ops::Deref;
@@ -25,6 +29,19 @@ use std::time::Duration;
 /// Between looks, should nobody wake the maker because it was not there yet.
 const PAUSE: Duration = Duration::from_millis(100);
 
+/// What a maker takes from and gives to.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Stores {
+    /// Where instruments come from.
+    pub(crate) shelf: Arc<Shelf>,
+    /// Where what is solved to the end goes.
+    pub(crate) solved: Arc<Solved>,
+    /// Where what is delivered can be seen.
+    pub(crate) drawn: Arc<Drawn>,
+    /// Where it is told what cannot be drawn.
+    pub(crate) notices: Arc<Notices>,
+}
+
 /// An order with a thread that works at it.
 pub(crate) struct Maker {
     order: Arc<Order>,
@@ -32,18 +49,13 @@ pub(crate) struct Maker {
 }
 
 impl Maker {
-    /// For the instrument of a number and those after it, from a shelf at `rate_hz`. What is solved to the
-    /// end goes to `solved`. Without a thread to be had, drawings do not change.
-    pub(crate) fn open(
-        shelf: Arc<Shelf>,
-        solved: Arc<Solved>,
-        number: usize,
-        rate_hz: f64,
-    ) -> Self {
+    /// For the instrument of a number and those after it, at `rate_hz`. Without a thread to be had, drawings
+    /// do not change.
+    pub(crate) fn open(stores: Stores, number: usize, rate_hz: f64) -> Self {
         let order = Arc::new(Order::new(number));
         let there = Arc::clone(&order);
         let work = move || {
-            let mut passes = Passes::new(shelf, solved, rate_hz);
+            let mut passes = Passes::new(stores, rate_hz);
             let mut seen = 0;
             there.employ(thread::current());
             while !there.is_closing() {
@@ -53,6 +65,7 @@ impl Maker {
                 } else {
                     seen = wanted.turn;
                     passes.follow(&wanted, &there);
+                    there.settled(seen);
                 }
             }
         };
@@ -60,6 +73,10 @@ impl Maker {
             .name("idiophone maker".to_owned())
             .spawn(move || with_helpers(work))
             .ok();
+        if thread.is_none() {
+            // Nobody is to wait for it.
+            order.close();
+        }
         Self { order, thread }
     }
 }

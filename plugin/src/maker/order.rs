@@ -5,17 +5,28 @@ use crate::workshop::Ready;
 use crossbeam_queue::ArrayQueue;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
-use std::thread::Thread;
+use std::thread::{self, Thread};
+use std::time::{Duration, Instant};
+
+/// Longer than any drawing takes to be solved.
+const PATIENCE: Duration = Duration::from_secs(300);
+/// Between two looks of one who waits.
+const LOOK: Duration = Duration::from_millis(1);
 
 /// The last drawing wanted; only one thread wants.
 pub(crate) struct Order {
     /// Counts the changes of what follows, which is written before.
     turn: AtomicU64,
     number: AtomicUsize,
-    drawing: [AtomicU32; 4],
+    drawing: [AtomicU32; 5],
     /// Keys whose bodies sound, as bits: low, high.
     awake: [AtomicU64; 2],
     ready: ArrayQueue<Ready>,
+    /// The turns of which all drafts were delivered last, and all there is to deliver.
+    drafted: AtomicU64,
+    settled: AtomicU64,
+    /// Whether drafts alone are wanted for now.
+    drafts: AtomicBool,
     closing: AtomicBool,
     worker: OnceLock<Thread>,
 }
@@ -38,6 +49,9 @@ impl Order {
             drawing: bits(&Drawing::OWN).map(AtomicU32::new),
             awake: [const { AtomicU64::new(0) }; 2],
             ready: ArrayQueue::new(1),
+            drafted: AtomicU64::new(0),
+            settled: AtomicU64::new(0),
+            drafts: AtomicBool::new(false),
             closing: AtomicBool::new(false),
             worker: OnceLock::new(),
         }
@@ -63,6 +77,41 @@ impl Order {
         }
     }
 
+    /// Wants the whole of what is wanted next, or drafts of it alone until the whole is.
+    pub(crate) fn pace(&self, whole: bool) {
+        self.drafts.store(!whole, Ordering::Release);
+    }
+
+    /// Blocks until all that is wanted is ready at the last pace; whether that did not take too long. Not
+    /// for a real-time thread.
+    pub(crate) fn wait(&self) -> bool {
+        let wanted = self.turn.load(Ordering::Relaxed);
+        let drafts = self.drafts.load(Ordering::Relaxed);
+        let start = Instant::now();
+        while start.elapsed() < PATIENCE {
+            let is_settled = self.settled.load(Ordering::Acquire) >= wanted;
+            let is_drafted = drafts && self.drafted.load(Ordering::Acquire) >= wanted;
+            if is_settled || is_drafted || self.is_closing() {
+                return true;
+            }
+            thread::sleep(LOOK);
+        }
+        false
+    }
+
+    /// Drafts of all that was wanted at a turn are delivered; blocks while they alone are wanted.
+    pub(super) fn drafted(&self, turn: u64) {
+        self.drafted.store(turn, Ordering::Release);
+        while self.drafts.load(Ordering::Acquire) && !self.is_past(turn) {
+            thread::park_timeout(LOOK);
+        }
+    }
+
+    /// All that there is of what was wanted at a turn is delivered.
+    pub(super) fn settled(&self, turn: u64) {
+        self.settled.store(turn, Ordering::Release);
+    }
+
     /// The last instrument made, once.
     pub(crate) fn fetch(&self) -> Option<Ready> {
         self.ready.pop()
@@ -72,12 +121,13 @@ impl Order {
     pub(super) fn wanted(&self) -> Wanted {
         // What is written in the meantime comes with another turn, and is looked at again.
         let turn = self.turn.load(Ordering::Acquire);
-        let [wall, width, profile, poisson] =
-            [0, 1, 2, 3].map(|i: usize| f32::from_bits(self.drawing[i].load(Ordering::Relaxed)));
+        let [length, wall, width, profile, poisson] =
+            [0, 1, 2, 3, 4].map(|i: usize| f32::from_bits(self.drawing[i].load(Ordering::Relaxed)));
         Wanted {
             turn,
             number: self.number.load(Ordering::Relaxed),
             drawing: Drawing {
+                length,
                 wall,
                 width,
                 profile,
@@ -116,12 +166,13 @@ impl Order {
     }
 }
 
-fn bits(drawing: &Drawing) -> [u32; 4] {
+fn bits(drawing: &Drawing) -> [u32; 5] {
     let Drawing {
+        length,
         wall,
         width,
         profile,
         poisson,
     } = *drawing;
-    [wall, width, profile, poisson].map(f32::to_bits)
+    [length, wall, width, profile, poisson].map(f32::to_bits)
 }

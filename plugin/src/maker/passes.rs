@@ -1,21 +1,24 @@
 //! From coarse to fine: the passes over the bodies of one drawing.
 
 use super::order::{Order, Wanted};
-use super::{Solved, recipe_of};
+use super::shortfall::{Shortfall, refused};
+use super::{Stores, recipe_of};
 use crate::engine::Engine;
+use crate::notices::{Notice, Subject};
 use crate::shelf::{Own, Shelf, Shelved};
 use modes::bar::TunedBar;
-use modes::factory::{Builder, Finished, coarse};
-use modes::{Bank, Body, Recipe};
+use modes::factory::{Builder, Finished, Silent, build, coarse};
+use modes::{Bank, Body, Recipe, ShapeRecipe};
 use rayon::prelude::*;
 use std::sync::Arc;
 
 /// What the maker remembers from one drawing to the next.
 pub(super) struct Passes {
-    shelf: Arc<Shelf>,
-    solved: Arc<Solved>,
+    stores: Stores,
     rate_hz: f64,
     present: Option<Present>,
+    /// What was to be told of the drawing that was solved last, by the text of its recipe.
+    told: Option<(String, Option<Notice>)>,
 }
 
 /// An instrument whose drawing is changed.
@@ -25,9 +28,17 @@ struct Present {
     /// None for what is not drawn by dimensions.
     recipe: Option<Recipe>,
     /// The bodies as they were last delivered.
-    bank: Bank,
+    bank: Arc<Bank>,
     /// What the bars were tuned to last, key by key.
     tuned: Vec<Option<TunedBar>>,
+}
+
+/// Whom drawings are delivered to.
+struct Customer<'a> {
+    stores: &'a Stores,
+    rate_hz: f64,
+    order: &'a Order,
+    turn: u64,
 }
 
 impl Present {
@@ -36,7 +47,7 @@ impl Present {
         Self {
             number,
             recipe: recipe_of(&base),
-            bank: (*base).clone(),
+            bank: Arc::new((*base).clone()),
             tuned: vec![None; 128],
             base,
         }
@@ -44,85 +55,134 @@ impl Present {
 
     /// Puts a body in the place of the one of its key.
     fn put(&mut self, body: Body) {
-        let place = self.bank.bodies.iter_mut().find(|old| old.key == body.key);
-        if let Some(old) = place {
+        let bodies = &mut Arc::make_mut(&mut self.bank).bodies;
+        if let Some(old) = bodies.iter_mut().find(|old| old.key == body.key) {
             *old = body;
         }
     }
 }
 
+impl Customer<'_> {
+    fn deliver(&self, present: &Present) {
+        self.stores.drawn.put(present.number, &present.bank);
+        let engine = Box::new(Engine::new(&present.bank, self.rate_hz));
+        self.order.deliver((present.number, engine));
+    }
+
+    /// Whether something else is wanted by now.
+    fn is_past(&self) -> bool {
+        self.order.is_past(self.turn)
+    }
+}
+
 impl Passes {
-    pub(super) fn new(shelf: Arc<Shelf>, solved: Arc<Solved>, rate_hz: f64) -> Self {
+    pub(super) fn new(stores: Stores, rate_hz: f64) -> Self {
         Self {
-            shelf,
-            solved,
+            stores,
             rate_hz,
             present: None,
+            told: None,
         }
     }
 
     /// Delivers what is wanted, better and better, until something else is.
     pub(super) fn follow(&mut self, wanted: &Wanted, order: &Order) {
-        let fresh = self
-            .present
-            .as_ref()
-            .is_none_or(|present| present.number != wanted.number);
+        let stores = self.stores.clone();
+        let customer = Customer {
+            stores: &stores,
+            rate_hz: self.rate_hz,
+            order,
+            turn: wanted.turn,
+        };
+        stores.notices.clear(Subject::Drawing);
+        let present = self.present.take();
+        let known = present.filter(|present| present.number == wanted.number);
+        let fresh = known.is_none();
         if fresh {
-            self.present = Some(Present::new(&self.shelf, wanted.number));
+            stores.drawn.clear();
         }
-        let Some(present) = &mut self.present else {
+        let present = known.unwrap_or_else(|| Present::new(&stores.shelf, wanted.number));
+        let present = self.present.insert(present);
+        let Some(own) = &present.recipe else {
             return;
         };
-        let Some(Ok(recipe)) = present.recipe.as_ref().map(|own| wanted.drawing.apply(own)) else {
-            return;
+        let recipe = match wanted.drawing.apply(own) {
+            Ok(recipe) => recipe,
+            Err(error) => {
+                stores.notices.post(refused(&wanted.drawing, &error));
+                return;
+            }
         };
         if recipe.text == present.base.provenance.recipe {
             // A fresh instrument is as its recipe draws it.
             if !fresh {
-                present.bank = (*present.base).clone();
-                deliver(present, self.rate_hz, order);
+                present.bank = Arc::new((*present.base).clone());
+                customer.deliver(present);
             }
             return;
         }
-        if let Some(own) = self.solved.of(&recipe.text) {
-            present.bank = own.bank().clone();
-            deliver(present, self.rate_hz, order);
-            return;
+        if let Some(own) = stores.solved.of(&recipe.text) {
+            present.bank = Arc::new(own.bank().clone());
+            customer.deliver(present);
+        } else {
+            let Some((bank, short)) = solve(present, &recipe, &customer) else {
+                return;
+            };
+            self.told = Some((recipe.text.clone(), short.notice(&wanted.drawing)));
+            present.bank = Arc::new(bank.clone().spread_out());
+            customer.deliver(present);
+            // One too large for a song is solved again there; one that is past by now is not wanted there.
+            if !customer.is_past()
+                && let Ok(own) = Own::new(bank)
+            {
+                stores.solved.put(own);
+            }
         }
-        if !sketch(present, &recipe, self.rate_hz, order, wanted.turn) {
-            return;
-        }
-        let Some(bank) = whole(present, &recipe, order, wanted.turn) else {
-            return;
-        };
-        present.bank = bank;
-        deliver(present, self.rate_hz, order);
-        // One too large for a song is solved again there.
-        if let Ok(own) = Own::new(present.bank.clone()) {
-            self.solved.put(own);
+        let told = self.told.as_ref().filter(|(text, _)| *text == recipe.text);
+        if let Some((_, Some(notice))) = told {
+            stores.notices.post(notice.clone());
         }
     }
 }
 
+/// The bank as it is precomputed, after drafts that are delivered on the way; none once something else is
+/// wanted.
+fn solve(
+    present: &mut Present,
+    recipe: &Recipe,
+    customer: &Customer<'_>,
+) -> Option<(Bank, Shortfall)> {
+    if matches!(recipe.shape, ShapeRecipe::Closed(_)) {
+        // Done before a draft would be.
+        let bank = build(recipe, &Silent).ok()?;
+        return Some((bank, Shortfall::default()));
+    }
+    if !sketch(present, recipe, customer) {
+        return None;
+    }
+    customer.order.drafted(customer.turn);
+    whole(present, recipe, customer)
+}
+
 /// Drafts of what sounds, which are always delivered, then of the rest; whether nothing else is wanted yet.
-fn sketch(present: &mut Present, recipe: &Recipe, rate_hz: f64, order: &Order, turn: u64) -> bool {
+fn sketch(present: &mut Present, recipe: &Recipe, customer: &Customer<'_>) -> bool {
     let draft = coarse(recipe);
     let Ok(builder) = Builder::draft(&draft) else {
-        return !order.is_past(turn);
+        return !customer.is_past();
     };
-    let awake = order.awake();
+    let awake = customer.order.awake();
     let (first, rest): (Vec<u8>, Vec<u8>) =
         recipe.keys.iter().partition(|key| awake >> key & 1 == 1);
     let drawn = redraw(present, &builder, &first, || false);
     if drawn {
-        deliver(present, rate_hz, order);
+        customer.deliver(present);
     }
-    let drawn = redraw(present, &builder, &rest, || order.is_past(turn));
-    if order.is_past(turn) {
+    let drawn = redraw(present, &builder, &rest, || customer.is_past());
+    if customer.is_past() {
         return false;
     }
     if drawn {
-        deliver(present, rate_hz, order);
+        customer.deliver(present);
     }
     true
 }
@@ -153,36 +213,37 @@ fn redraw(
     any
 }
 
-/// The bank as it is precomputed, the bodies that sound first; none once something else is wanted. A key
-/// that cannot be built, which precomputing refuses, keeps the body that it has.
-fn whole(present: &Present, recipe: &Recipe, order: &Order, turn: u64) -> Option<Bank> {
+/// The bank as it is precomputed, the bodies that sound first; none once something else is wanted. Of a key
+/// that cannot be built, which precomputing refuses, the nearest body to it, or else the one that it has.
+fn whole(present: &Present, recipe: &Recipe, customer: &Customer<'_>) -> Option<(Bank, Shortfall)> {
     let builder = Builder::new(recipe).ok()?;
-    let awake = order.awake();
+    let awake = customer.order.awake();
     let mut keys: Vec<u8> = recipe.keys.iter().collect();
     keys.sort_by_key(|key| awake >> key & 1 == 0);
-    let mut finished: Vec<(u8, Finished)> = keys
+    let mut finished: Vec<(u8, Finished, f64)> = keys
         .par_iter()
         .with_max_len(1)
         .filter_map(|&key| {
             let body = || builder.body_within(key).ok();
-            let body = (!order.is_past(turn)).then(body).flatten();
-            Some((key, body?))
+            let (body, share) = (!customer.is_past()).then(body).flatten()?;
+            Some((key, body, share))
         })
         .collect();
-    if order.is_past(turn) {
+    if customer.is_past() {
         return None;
     }
-    finished.sort_by_key(|(key, _)| *key);
-    let mut bank = builder.bank(finished.into_iter().map(|(_, body)| body).collect());
+    finished.sort_by_key(|(key, ..)| *key);
+    let partly = finished.iter().filter(|(.., share)| *share < 1.0);
+    let partly = partly.map(|(key, ..)| *key).collect();
+    let mut bank = builder.bank(finished.into_iter().map(|(_, body, _)| body).collect());
     let built: Vec<u8> = bank.bodies.iter().map(|body| body.key).collect();
     let others = present.bank.bodies.iter();
-    let others = others.filter(|body| !built.contains(&body.key)).cloned();
+    let others: Vec<Body> = others
+        .filter(|body| !built.contains(&body.key))
+        .cloned()
+        .collect();
+    let not = others.iter().map(|body| body.key).collect();
     bank.bodies.extend(others);
     bank.bodies.sort_by_key(|body| body.key);
-    Some(bank)
-}
-
-fn deliver(present: &Present, rate_hz: f64, order: &Order) {
-    let engine = Box::new(Engine::new(&present.bank, rate_hz));
-    order.deliver((present.number, engine));
+    Some((bank, Shortfall { partly, not }))
 }

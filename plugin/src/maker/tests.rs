@@ -31,7 +31,7 @@ struct Bed {
 
 impl Bed {
     fn new(number: usize) -> Self {
-        let (shelf, solved) = (Arc::<Shelf>::default(), Arc::<Solved>::default());
+        let stores = Stores::default();
         let mut stage = Stage::new(number, factory::bank(number), RATE_HZ);
         stage.set(&Settings {
             limiter: false,
@@ -42,8 +42,8 @@ impl Bed {
         }
         Self {
             stage,
-            bench: Bench::new(Arc::clone(&shelf), RATE_HZ),
-            maker: Maker::open(shelf, solved, number, RATE_HZ),
+            bench: Bench::new(Arc::clone(&stores.shelf), RATE_HZ),
+            maker: Maker::open(stores, number, RATE_HZ),
             longest_s: 0.0,
         }
     }
@@ -131,15 +131,10 @@ fn a_turning_knob_makes_no_click_and_is_followed() {
 
 #[test]
 fn the_last_drawing_is_the_one_that_is_precomputed() {
-    let mut small = Recipe::FACTORY[0].1.replace("low = 36", "low = 90");
-    small = small.replace("high = 96", "high = 92");
-    let recipe = Recipe::parse(&small, "chimes").unwrap();
-    let bank = modes::factory::build(&recipe, &modes::factory::Silent).unwrap();
-    let shelf = Arc::<Shelf>::default();
-    shelf.put(crate::shelf::Own::new(bank).unwrap());
-    let number = shelf.number(crate::shelf::OWN);
-    let solved = Arc::<Solved>::default();
-    let maker = Maker::open(Arc::clone(&shelf), Arc::clone(&solved), number, RATE_HZ);
+    let (stores, number) = small();
+    let recipe = recipe_of(&stores.shelf.bank(number)).unwrap();
+    let solved = Arc::clone(&stores.solved);
+    let maker = Maker::open(stores, number, RATE_HZ);
     for step in 1_u8..=5 {
         maker.want(number, &wall(1.0 + 0.1 * f32::from(step)), 1 << 91);
         std::thread::sleep(Duration::from_millis(20));
@@ -159,4 +154,103 @@ fn the_last_drawing_is_the_one_that_is_precomputed() {
         crate::shelf::Own::read(own.text()).unwrap().bank(),
         &precomputed
     );
+}
+
+/// The chimes' highest keys, on a shelf of their own.
+fn small() -> (Stores, usize) {
+    let mut small = Recipe::FACTORY[0].1.replace("low = 36", "low = 90");
+    small = small.replace("high = 96", "high = 92");
+    let recipe = Recipe::parse(&small, "chimes").unwrap();
+    let bank = modes::factory::build(&recipe, &modes::factory::Silent).unwrap();
+    let stores = Stores::default();
+    stores.shelf.put(crate::shelf::Own::new(bank).unwrap());
+    let number = stores.shelf.number(crate::shelf::OWN);
+    (stores, number)
+}
+
+/// Renders as a host does offline, a drawing to each block; the sound, and the text of what sounds at last.
+fn bounced(drawings: &[Drawing]) -> (Vec<f32>, String) {
+    let (stores, number) = small();
+    let bench = Bench::new(Arc::clone(&stores.shelf), RATE_HZ);
+    let maker = Maker::open(stores.clone(), number, RATE_HZ);
+    let mut stage = Stage::new(number, &stores.shelf.bank(number), RATE_HZ).patient();
+    let mut sound = Vec::new();
+    for (block, drawing) in drawings.iter().enumerate() {
+        stage.reshape(drawing, &maker, &bench);
+        if block == 0 {
+            stage.hit(91, &Hit::plain(0.8));
+        }
+        let (mut left, mut right) = (vec![0.0; BLOCK], vec![0.0; BLOCK]);
+        stage.render(&mut Outputs::main(&mut left, &mut right));
+        sound.extend(left);
+        bench.work();
+    }
+    let drawn = stores.drawn.of(number);
+    let text = drawn.map_or_else(String::new, |bank| bank.provenance.recipe.clone());
+    (sound, text)
+}
+
+#[test]
+fn offline_a_drawing_sounds_from_the_block_on_that_wants_it() {
+    let still = vec![wall(1.4); 8];
+    let (sound, text) = bounced(&still);
+    assert_eq!(sound, bounced(&still).0, "repeatable");
+    let (stores, number) = small();
+    let recipe = recipe_of(&stores.shelf.bank(number)).unwrap();
+    assert_eq!(text, wall(1.4).apply(&recipe).unwrap().text, "in whole");
+    let own = bounced(&[Drawing::OWN; 8]).0;
+    let differs = |a: &[f32], b: &[f32]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 1e-4);
+    assert!(differs(&sound[..BLOCK], &own[..BLOCK]), "at once");
+    // A knob that turns, and rests.
+    let mut turned: Vec<Drawing> = (0..6_u8).map(|i| wall(1.0 + 0.1 * f32::from(i))).collect();
+    turned.extend(vec![wall(1.5); 16]);
+    let (sound, text) = bounced(&turned);
+    assert_eq!(sound, bounced(&turned).0, "repeatable");
+    assert_eq!(text, wall(1.5).apply(&recipe).unwrap().text, "in whole");
+}
+
+#[test]
+fn strings_are_drawn_anew_and_show_it() {
+    let strings = factory::BANKS
+        .iter()
+        .position(|(name, _)| *name == "strings");
+    let (stores, number) = (Stores::default(), strings.unwrap());
+    let maker = Maker::open(stores.clone(), number, RATE_HZ);
+    assert!(stores.drawn.of(number).is_none());
+    maker.want(number, &wall(2.0), 0);
+    assert!(maker.wait());
+    let (thick, own) = (stores.drawn.of(number).unwrap(), factory::bank(number));
+    assert_eq!(thick.bodies.len(), own.bodies.len());
+    let stretch = |bank: &modes::Bank| bank.bodies[0].modes[9].hz / bank.bodies[0].pitch_hz;
+    assert!(
+        stretch(&thick) > stretch(own),
+        "thicker strings are stiffer"
+    );
+    assert!(stores.solved.of(&thick.provenance.recipe).is_some());
+    let (made, _) = maker.fetch().unwrap();
+    assert_eq!(made, number);
+    maker.want(number, &Drawing::OWN, 0);
+    assert!(maker.wait());
+    assert_eq!(stores.drawn.of(number).unwrap().bodies, own.bodies);
+}
+
+#[test]
+fn a_bowl_that_cannot_be_is_told_of_until_the_knob_goes_back() {
+    let bowls = factory::BANKS
+        .iter()
+        .position(|(name, _)| *name == "oak-bowls");
+    let (stores, number) = (Stores::default(), bowls.unwrap());
+    let maker = Maker::open(stores.clone(), number, RATE_HZ);
+    let narrow = Drawing {
+        width: 0.5,
+        ..Drawing::OWN
+    };
+    maker.want(number, &narrow, 0);
+    assert!(maker.wait());
+    let notice = stores.notices.first().unwrap();
+    assert!(notice.text.contains("Breadth"), "{}", notice.text);
+    assert!(stores.drawn.of(number).is_none(), "stays as it was");
+    maker.want(number, &Drawing::OWN, 0);
+    assert!(maker.wait());
+    assert_eq!(stores.notices.first(), None);
 }

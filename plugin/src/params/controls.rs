@@ -14,9 +14,9 @@ use super::strike::Strike;
 use super::trims::{TrimField, TrimTable};
 use crate::engine::Settings;
 use crate::hands::{self, SLOTS};
-use crate::maker::{Solved, wanted_text};
+use crate::maker::{Drawn, Solved, Stores, wanted_text};
 use crate::notices::{Notices, Subject};
-use crate::shelf::{Own, Shelf};
+use crate::shelf::{Own, Shelf, Shelved};
 use crate::tuning::{KeyboardText, ScaleText, TuningTexts};
 use nice_plug::prelude::Params;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -70,6 +70,7 @@ pub struct Controls {
     tuning: Arc<TuningTexts>,
     shelf: Arc<Shelf>,
     solved: Arc<Solved>,
+    drawn: Arc<Drawn>,
     notices: Arc<Notices>,
     /// The instrument that the song wants and this version does not have, as the song says it.
     wish: Mutex<Option<String>>,
@@ -87,6 +88,7 @@ impl Default for Controls {
             trims,
             shelf: Arc::default(),
             solved: Arc::default(),
+            drawn: Arc::default(),
             notices: Arc::default(),
             wish: Mutex::default(),
             body: Body::default(),
@@ -148,6 +150,23 @@ impl Controls {
     pub(crate) fn shaped(&self, number: usize) -> Option<Arc<Own>> {
         let text = wanted_text(&self.shape.drawing(), &self.shelf.bank(number))?;
         self.solved.of(&text)
+    }
+
+    /// The bank of the instrument of that number in the drawing that sounds.
+    #[must_use]
+    pub fn sounding(&self, number: usize) -> Shelved {
+        let drawn = self.drawn.of(number);
+        drawn.unwrap_or_else(|| self.shelf.bank(number))
+    }
+
+    /// What the maker takes from and gives to.
+    pub(crate) fn stores(&self) -> Stores {
+        Stores {
+            shelf: Arc::clone(&self.shelf),
+            solved: Arc::clone(&self.solved),
+            drawn: Arc::clone(&self.drawn),
+            notices: Arc::clone(&self.notices),
+        }
     }
 
     /// What the user should know.

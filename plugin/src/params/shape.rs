@@ -3,7 +3,7 @@
 use super::Spec;
 use super::build::{float, share};
 use crate::maker::Drawing;
-use modes::Recipe;
+use modes::{Knob, Recipe};
 use nice_plug::prelude::{FloatParam, Params};
 use std::ops::RangeInclusive;
 
@@ -13,14 +13,27 @@ const TIMES: RangeInclusive<f64> = 0.5..=2.0;
 const EITHER_WAY: RangeInclusive<f64> = -1.0..=1.0;
 /// What is added to Poisson's ratio.
 const POISSON_OFFSET: RangeInclusive<f64> = -0.15..=0.15;
-/// Puts 100 % in the middle.
+/// Length over the recipe's.
+const LENGTHS: RangeInclusive<f64> = 0.7..=1.4;
+/// Put 100 % in the middle.
 const SKEW: f32 = 0.63;
+const LENGTH_SKEW: f32 = 0.82;
+
+/// Length over the recipe's.
+pub const LENGTH: Spec = Spec {
+    id: "slen",
+    name: "Length",
+    tooltip: "Length over that of the drawing, of bowls the height, of plates and drums all sides. Bodies keep \
+              their pitches: what bends is as much thicker as that asks for, strings and drums are tighter.",
+    skew: LENGTH_SKEW,
+    ..Spec::percent(&LENGTHS, 1.0)
+};
 
 /// Thickness over the recipe's.
 pub const WALL: Spec = Spec {
     id: "swall",
     name: "Wall",
-    tooltip: "Thickness of the wall, of a bar the bar's, over that of the drawing. Bodies keep their \
+    tooltip: "Thickness of walls, bars, plates, wires and drumheads over that of the drawing. Bodies keep their \
               pitches: they are cut to them anew while you turn, and what rings goes on in the new shape.",
     skew: SKEW,
     ..Spec::percent(&TIMES, 1.0)
@@ -30,8 +43,8 @@ pub const WALL: Spec = Spec {
 pub const BREADTH: Spec = Spec {
     id: "swide",
     name: "Breadth",
-    tooltip: "Diameter of tubes, width of bars, and of bowls their width beside their height, over those of \
-              the drawing. Bodies keep their pitches.",
+    tooltip: "Diameter of tubes, width of bars, of bowls their width beside their height, and of square drums \
+              one side beside the other, over those of the drawing. Bodies keep their pitches.",
     skew: SKEW,
     ..Spec::percent(&TIMES, 1.0)
 };
@@ -54,11 +67,23 @@ pub const POISSON: Spec = Spec {
     ..Spec::percent(&POISSON_OFFSET, 0.0)
 };
 
-pub(super) const SPECS: [Spec; 4] = [WALL, BREADTH, PROFILE, POISSON];
+pub(super) const SPECS: [Spec; 5] = [LENGTH, WALL, BREADTH, PROFILE, POISSON];
+
+/// What of a recipe's drawing each of them changes.
+const KNOBS: [Knob; SPECS.len()] = [
+    Knob::Length,
+    Knob::Wall,
+    Knob::Width,
+    Knob::Profile,
+    Knob::Poisson,
+];
 
 /// The drawing.
 #[derive(Params)]
 pub struct Shape {
+    /// See [`LENGTH`].
+    #[id = "slen"]
+    pub length: FloatParam,
     /// See [`WALL`].
     #[id = "swall"]
     pub wall: FloatParam,
@@ -76,6 +101,7 @@ pub struct Shape {
 impl Default for Shape {
     fn default() -> Self {
         Self {
+            length: float(&LENGTH),
             wall: float(&WALL),
             breadth: float(&BREADTH),
             profile: float(&PROFILE),
@@ -89,6 +115,7 @@ impl Shape {
     #[must_use]
     pub fn drawing(&self) -> Drawing {
         Drawing {
+            length: share(&self.length) as f32,
             wall: share(&self.wall) as f32,
             width: share(&self.breadth) as f32,
             profile: share(&self.profile) as f32,
@@ -105,14 +132,9 @@ pub fn idle(recipe: Option<&Recipe>) -> Vec<(&'static str, &'static str)> {
             "These bodies come from a mesh or a file without a drawing: there is none to change.";
         return SPECS.iter().map(|spec| (spec.id, why)).collect();
     };
-    if !recipe.shape.varies() {
-        let why = "These bodies are known in closed form, by their size alone.";
-        return SPECS.iter().map(|spec| (spec.id, why)).collect();
-    }
-    if recipe.shape.has_profile() {
-        return Vec::new();
-    }
-    vec![(PROFILE.id, "A tube is straight: it has no profile.")]
+    let knobs = SPECS.iter().zip(KNOBS);
+    let idle = knobs.filter_map(|(spec, knob)| Some((spec.id, recipe.shape.idle(knob)?)));
+    idle.collect()
 }
 
 #[cfg(test)]
@@ -130,7 +152,12 @@ mod tests {
         };
         assert_eq!(ids(Some(&recipe(0))), ["sprof"]);
         assert_eq!(ids(Some(&recipe(1))), [""; 0]);
-        assert_eq!(ids(None), ["swall", "swide", "sprof", "spois"]);
+        let strings = Recipe::FACTORY
+            .iter()
+            .position(|(name, _)| *name == "strings");
+        let strings = recipe(strings.unwrap());
+        assert_eq!(ids(Some(&strings)), ["swide", "sprof", "spois"]);
+        assert_eq!(ids(None), ["slen", "swall", "swide", "sprof", "spois"]);
     }
 
     #[test]

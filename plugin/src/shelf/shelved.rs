@@ -13,6 +13,8 @@ pub enum Shelved {
     Factory(&'static Bank),
     /// One of the user's own.
     Own(Arc<Own>),
+    /// One whose drawing has been changed.
+    Drawn(Arc<Bank>),
 }
 
 impl Shelved {
@@ -20,6 +22,12 @@ impl Shelved {
     #[must_use]
     pub fn factory(index: usize) -> Self {
         Self::Factory(factory::bank(index))
+    }
+
+    /// Whether it is the same, without a look at what is in it.
+    #[must_use]
+    pub fn is(&self, other: &Self) -> bool {
+        std::ptr::eq(&raw const **self, &raw const **other)
     }
 }
 
@@ -30,6 +38,7 @@ impl Deref for Shelved {
         match self {
             Self::Factory(bank) => bank,
             Self::Own(own) => own.bank(),
+            Self::Drawn(bank) => bank,
         }
     }
 }

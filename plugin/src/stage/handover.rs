@@ -16,6 +16,8 @@ const AHEAD: usize = 4;
 /// Bodies that are tuned ahead at most: where parameters move all the time the last of them come with the
 /// handover.
 const MOST_AHEAD: usize = 256;
+/// How long a knob rests before what it is at is waited for in whole, in s.
+const REST_S: f64 = 0.1;
 
 /// A new drawing on its way in, and an old one on its way out.
 #[derive(Default)]
@@ -25,6 +27,9 @@ pub(super) struct Handover {
     ahead: usize,
     ready: bool,
     last: Option<Fading>,
+    /// The drawing that was waited for last, and frames since it came.
+    drawing: Option<Drawing>,
+    rested: usize,
 }
 
 /// What fades out.
@@ -41,6 +46,21 @@ impl Handover {
         self.last.as_ref().is_some_and(|last| last.left > 0)
     }
 
+    /// Counts frames that are rendered.
+    pub(super) fn pass(&mut self, frames: usize) {
+        self.rested = self.rested.saturating_add(frames);
+    }
+
+    /// Whether a drawing is to be waited for in whole: where a knob has come to rest, and at first. Of what
+    /// it passes on the way drafts must do: rendering a turning knob would take hours otherwise.
+    fn is_whole(&mut self, drawing: &Drawing, rate_hz: f64) -> bool {
+        let last = self.drawing.replace(*drawing);
+        if last.is_some_and(|last| last != *drawing) {
+            self.rested = 0;
+        }
+        last.is_none() || self.rested as f64 >= REST_S * rate_hz
+    }
+
     /// Cuts the fade short.
     pub(super) fn reset(&mut self) {
         if let Some(last) = &mut self.last {
@@ -49,14 +69,14 @@ impl Handover {
     }
 
     /// Hands over what has faded out, and what is no drawing of the instrument of that number.
-    fn clear(&mut self, number: usize, bench: &Bench) {
+    fn clear(&mut self, number: usize, discard: impl Fn(Box<Engine>) -> Result<(), Box<Engine>>) {
         if let Some(last) = self.last.take_if(|last| last.left == 0)
-            && let Err(engine) = bench.discard(last.engine)
+            && let Err(engine) = discard(last.engine)
         {
             self.last = Some(Fading { engine, ..last });
         }
         if let Some((of, engine)) = self.next.take_if(|next| next.0 != number)
-            && let Err(engine) = bench.discard(engine)
+            && let Err(engine) = discard(engine)
         {
             self.next = Some((of, engine));
         }
@@ -91,13 +111,30 @@ impl Stage {
         &raw const *self.present.engine
     }
 
-    /// Wants the present instrument in a drawing, and takes what has come of that; does not allocate.
+    /// Wants the present instrument in a drawing, and takes what has come of that; does not allocate. A
+    /// patient stage waits for it.
     pub(crate) fn reshape(&mut self, drawing: &Drawing, order: &Order, bench: &Bench) {
+        order.pace(!self.patient || self.handover.is_whole(drawing, self.rate_hz));
         order.want(self.number, drawing, self.present.engine.awake());
-        self.handover.clear(self.number, bench);
+        let patient = self.patient;
+        self.handover.clear(self.number, |engine| {
+            if patient {
+                bench.discard_surely(engine)
+            } else {
+                bench.discard(engine)
+            }
+        });
+        if self.patient {
+            self.patient = order.wait();
+        }
         if self.handover.next.is_none() {
             self.handover.next = order.fetch();
-            (self.handover.ahead, self.handover.ready) = (0, false);
+            // Who waits has time to tune them all when they take over.
+            (self.handover.ahead, self.handover.ready) = (0, patient);
+        }
+        // Before what the block strikes, which would keep it waiting.
+        if self.until_handover() == Some(0) {
+            self.hand_over();
         }
     }
 

@@ -14,7 +14,7 @@ mod timbre;
 pub use portrait::{Laid, Paint, Portrait, Swinging};
 
 use super::caption::{CAPTION, Told, caption, place};
-use super::figure::{key_name, tint};
+use super::figure::tint;
 use super::frame::Frame;
 use super::hold::Hold;
 use super::kind::Kind;
@@ -24,6 +24,8 @@ use super::saved::Saved;
 use super::shown::Shown;
 use super::solid::{Place, Solid, Vector};
 use super::theme::{Cause, NEAR, Theme};
+use crate::key_name::key_name;
+use crate::shelf::Shelved;
 use camera::Camera;
 use egui::{CursorIcon, Id, Rect, Role, Sense, Shape, Ui, WidgetInfo, pos2, vec2};
 use legend::{LEGEND, legend, switch};
@@ -56,12 +58,20 @@ pub(super) struct View {
 }
 
 /// Which surface is seen.
-#[derive(Clone, Copy, PartialEq)]
 struct Seen {
     instrument: usize,
+    bank: Shelved,
     key: u8,
     /// Whether it is fine enough for a map.
     fine: bool,
+}
+
+impl Seen {
+    /// Whether both are of the same body, fine or not.
+    fn is(&self, other: &Self) -> bool {
+        let drawn = self.instrument == other.instrument && self.bank.is(&other.bank);
+        drawn && self.key == other.key
+    }
 }
 
 /// What the button that is held down does.
@@ -182,25 +192,27 @@ impl View {
     fn follow(&mut self, sight: &Sight<'_, '_>) -> Option<(Seen, Solid)> {
         let sought = Seen {
             instrument: sight.instrument,
+            bank: sight.shown().bank.clone(),
             key: sight.shown().key,
             fine: sight.saved.map(),
         };
-        let known = self.solid.take();
-        let before = known.as_ref().map(|(seen, _)| *seen);
-        if let Some((_, solid)) = known.filter(|(seen, _)| *seen == sought) {
-            return Some((sought, solid));
-        }
-        let bank = &sight.shown().bank;
+        let before = match self.solid.take() {
+            Some((seen, solid)) if seen.is(&sought) && seen.fine == sought.fine => {
+                return Some((sought, solid));
+            }
+            known => known.map(|(seen, _)| seen),
+        };
+        let bank = &sought.bank;
         let body = bank.bodies.iter().find(|body| body.key == sought.key)?;
         let mut solid = Solid::of(body, &bank.matter_of(body).material);
         if sought.fine {
             solid = solid.finer(FINE);
         }
-        let same = |seen: &Seen| seen.instrument == sought.instrument;
-        self.portrait
-            .turn_to(&solid, !before.as_ref().is_some_and(same));
+        let before = before.as_ref();
+        let other = before.is_none_or(|seen| seen.instrument != sought.instrument);
+        self.portrait.turn_to(&solid, other);
         self.timbre = None;
-        if !before.is_some_and(|seen| same(&seen) && seen.key == sought.key) {
+        if before.is_none_or(|seen| !seen.is(&sought)) {
             self.clicked = None;
         }
         Some((sought, solid))
