@@ -6,6 +6,8 @@ mod error;
 mod free;
 #[cfg(test)]
 mod free_tests;
+#[cfg(test)]
+mod kit_tests;
 mod material;
 mod order;
 mod raw;
@@ -13,8 +15,8 @@ mod together;
 mod vary;
 
 pub use error::{RecipeError, RecipeFileError};
-pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
-pub use order::MeshOrder;
+pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshScale, MeshShape, Piece, TunedMode, Up};
+pub use order::{MeshOrder, PieceOrder};
 pub use vary::Variation;
 
 use crate::shape::{Bowl, ClosedShape};

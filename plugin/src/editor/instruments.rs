@@ -2,7 +2,7 @@
 
 use super::choice::{closed, place, stepped};
 use super::param::Param;
-use super::sheet::{News, Sheet, is_mesh};
+use super::sheet::{News, Place, Sheet, is_mesh};
 use super::theme::{Theme, small};
 use crate::notices::{Cure, Notice, Notices, Subject};
 use crate::params::Controls;
@@ -76,16 +76,23 @@ impl Instruments {
     /// Takes a file: a bank is loaded, a mesh comes onto the sheet.
     pub fn open(&self, path: PathBuf) {
         if is_mesh(&path) {
-            self.sheet.chosen().put(path);
+            self.sheet.chosen().put(path, Place::New);
         } else {
             self.library.ask(path);
         }
     }
 
+    /// Takes a mesh onto the sheet that is open, as a further body.
+    pub fn add(&self, path: PathBuf) {
+        self.sheet.chosen().put(path, Place::Further);
+    }
+
     /// Draws the sheet of a mesh, if one is open.
     pub(super) fn show_sheet(&mut self, ui: &Ui, theme: &Theme) {
         let shelf = self.controls.shelf();
-        self.sheet.show(ui, &self.library, shelf, theme);
+        if self.sheet.show(ui, &self.library, shelf, theme) {
+            self.import(Place::Further);
+        }
     }
 
     pub(super) fn notices(&self) -> &Arc<Notices> {
@@ -130,8 +137,8 @@ impl Instruments {
         }
     }
 
-    /// Asks the system for a file, on a thread of its own; whatever comes is loaded.
-    fn import(&self) {
+    /// Asks the system for a file, on a thread of its own; whatever comes is loaded, a mesh onto the sheet.
+    fn import(&self, place: Place) {
         let dialog = rfd::AsyncFileDialog::new()
             .set_title("A bank or a mesh for Idiophone")
             .add_filter("Banks and meshes", &["bank", "obj"]);
@@ -146,7 +153,7 @@ impl Instruments {
             .name("idiophone dialog".to_owned())
             .spawn(move || match pollster::block_on(picked) {
                 Some(file) if is_mesh(file.path()) => {
-                    chosen.put(file.path().to_path_buf());
+                    chosen.put(file.path().to_path_buf(), place);
                     news();
                 }
                 Some(file) => library.ask(file.path().to_path_buf()),
@@ -203,7 +210,7 @@ impl Instruments {
         match wanted {
             Some(Wanted::Number(index)) => param.put(setter, place(index, steps)),
             Some(Wanted::File(path)) => self.open(path),
-            Some(Wanted::Import) => self.import(),
+            Some(Wanted::Import) => self.import(Place::New),
             Some(Wanted::Folder) => self.show_folder(ui),
             None => {}
         }
