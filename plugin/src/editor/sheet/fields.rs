@@ -127,7 +127,9 @@ fn keys(ui: &mut Ui, piece: &mut Piece) -> bool {
 }
 
 fn named(key: f64) -> String {
-    key_name(key.clamp(0.0, 127.0) as u8)
+    #[expect(clippy::cast_sign_loss, reason = "keys are not negative")]
+    let key = key.clamp(0.0, 127.0) as u8;
+    key_name(key)
 }
 
 /// The key of that name or number.
