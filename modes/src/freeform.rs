@@ -12,7 +12,7 @@ mod solve;
 #[cfg(test)]
 mod tests;
 
-pub use bank::{FreeError, free_bank};
+pub use bank::{FreeError, SolvedPiece, free_bank, solved_piece};
 pub use body::{FreeBody, free_body};
-pub use made::{Made, MadeError, make};
+pub use made::{Made, MadeError, Noted, make};
 pub use solve::Limits;

@@ -64,8 +64,9 @@ pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
     FreeFineness, FreeRecipe, FreeTuning, ImperfectionRecipe, ImperfectionSize, KeyRange, Knob,
-    ListenerRecipe, LossRecipe, MeshOrder, MeshRecipe, MeshShape, Recipe, RecipeError,
-    RecipeFileError, ResonatorRecipe, ShapeRecipe, TunedMode, TuningRecipe, Variation,
+    ListenerRecipe, LossRecipe, MeshOrder, MeshRecipe, MeshScale, MeshShape, Piece, PieceOrder,
+    Recipe, RecipeError, RecipeFileError, ResonatorRecipe, ShapeRecipe, TunedMode, TuningRecipe,
+    Up, Variation,
 };
 #[cfg(feature = "solve")]
 pub use solve::SolveError;

@@ -7,6 +7,8 @@ mod error;
 mod free;
 #[cfg(test)]
 mod free_tests;
+#[cfg(test)]
+mod kit_tests;
 mod knob;
 mod material;
 mod order;
@@ -15,9 +17,9 @@ mod together;
 mod vary;
 
 pub use error::{RecipeError, RecipeFileError};
-pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshShape, TunedMode};
+pub use free::{FreeFineness, FreeRecipe, FreeTuning, MeshScale, MeshShape, Piece, TunedMode, Up};
 pub use knob::Knob;
-pub use order::MeshOrder;
+pub use order::{MeshOrder, PieceOrder};
 pub use vary::Variation;
 
 use crate::shape::{Bowl, ClosedShape};

@@ -20,6 +20,7 @@ mod stuffing;
 mod thickness;
 mod topology;
 mod tree;
+mod upright;
 mod vector;
 
 pub use closed::ClosedSurface;
@@ -31,6 +32,7 @@ pub use quality::Quality;
 pub use repair::{Pieces, Repair, repair};
 pub use resolution::{Meshing, Resolution};
 pub use soup::{Soup, SoupObject};
+pub use upright::upright;
 
 #[cfg(test)]
 mod tests;

@@ -4,7 +4,7 @@ use crate::progress;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use modes::freeform::{Made, make};
-use modes::{FreeFineness, FreeRecipe, MeshOrder};
+use modes::{FreeFineness, FreeRecipe, MeshOrder, PieceOrder, Up};
 use std::path::{Path, PathBuf};
 
 /// What to make of a mesh.
@@ -13,13 +13,13 @@ pub struct MeshOptions {
     /// Make a bank of the shape in this OBJ file
     #[arg(long, value_name = "FILE", conflicts_with = "name")]
     pub mesh: Option<PathBuf>,
-    /// Only the object of this name in the file
+    /// Only the object of this name in the file; of several, all together are one body
     #[arg(long, value_name = "NAME", requires = "mesh")]
-    pub object: Option<String>,
+    pub object: Vec<String>,
     /// What it is made of
     #[arg(long, value_name = "NAME", requires = "mesh")]
     pub material: Option<String>,
-    /// Longest side of its bounding box, in m; without, the file is in metres
+    /// Longest side of its bounding box, in m; without, the unit tells the size
     #[arg(
         long,
         value_name = "M",
@@ -27,6 +27,12 @@ pub struct MeshOptions {
         allow_negative_numbers = true
     )]
     pub size: Option<f64>,
+    /// What one of the file's units is, in m; without either, the file is in metres
+    #[arg(long, value_name = "M", requires = "mesh", conflicts_with = "size")]
+    pub unit: Option<f64>,
+    /// Which of the file's axes points up: x, y or z
+    #[arg(long, value_name = "AXIS", requires = "mesh", default_value = "z", value_parser = axis)]
+    pub up: Up,
     /// Thickness of its wall, in m; without, it is solid
     #[arg(
         long,
@@ -64,15 +70,21 @@ impl MeshOptions {
         let Some(file) = mesh.to_str() else {
             bail!("{}: name the file in Unicode", mesh.display());
         };
-        let order = MeshOrder {
+        let piece = PieceOrder {
             file: file.to_owned(),
-            object: self.object.clone(),
+            objects: self.object.clone(),
             material: self.material.clone().unwrap_or_else(|| USUAL.to_owned()),
             size_m: self.size,
+            unit_m: self.unit,
             wall_m: self.wall,
+            up: self.up,
             keys: [self.keys[0], self.keys[1]],
             by: self.by.clone(),
             tuned: self.tuned.clone(),
+        };
+        let order = MeshOrder {
+            title: None,
+            pieces: vec![piece],
             nodes: self.nodes,
             most_modes: FreeFineness::default().most_modes as u32,
         };
@@ -89,7 +101,11 @@ impl MeshOptions {
     }
 }
 
-/// The recipe in the file of this name, if it is one of a mesh.
+fn axis(name: &str) -> Result<Up, String> {
+    Up::named(name).ok_or_else(|| "give x, y or z".to_owned())
+}
+
+/// The recipe in the file of this name, if it is one of meshes.
 pub(crate) fn recipe(name: &str) -> Result<Option<FreeRecipe>> {
     let path = Path::new(name);
     if path.extension().is_none_or(|extension| extension != "toml") {
@@ -110,7 +126,9 @@ mod tests {
         MeshOptions {
             mesh: Some("shapes/My \"Bell\".obj".into()),
             material: Some("bronze".into()),
+            object: vec!["bell".into(), "loop".into()],
             size: Some(0.2),
+            up: Up::Y,
             wall: Some(0.004),
             keys: vec![48, 84],
             by: "size".into(),
@@ -125,12 +143,26 @@ mod tests {
         let recipe = options().recipe().unwrap().unwrap();
         assert_eq!(recipe.name, "my--bell-");
         assert_eq!(recipe.title, "My \"Bell\"");
-        assert_eq!(recipe.shape.file, Path::new("shapes/My \"Bell\".obj"));
-        assert_eq!(recipe.shape.size_m, Some(0.2));
-        assert_eq!(recipe.tuning.mode, modes::TunedMode::Number(2));
+        let piece = &recipe.pieces[0];
+        assert_eq!(piece.shape.file, Path::new("shapes/My \"Bell\".obj"));
+        assert_eq!(piece.shape.objects, ["bell", "loop"]);
+        assert_eq!(piece.shape.scale, modes::MeshScale::Longest(0.2));
+        assert_eq!(piece.shape.up, Up::Y);
+        assert_eq!(piece.tuning.mode, modes::TunedMode::Number(2));
         let bronze = modes::Material::named("bell bronze").unwrap();
-        assert_eq!(recipe.material, bronze);
+        assert_eq!(piece.material, bronze);
         assert!(MeshOptions::default().recipe().unwrap().is_none());
+    }
+
+    #[test]
+    fn the_kit_that_people_are_shown_is_a_recipe() {
+        let read_me = include_str!("../../README.md");
+        let mut blocks = read_me.split("```toml\n").skip(1);
+        let kit = blocks.find(|block| block.contains("[[piece]]")).unwrap();
+        let text = kit.split("```").next().unwrap();
+        assert!(FreeRecipe::is_meant(text));
+        let recipe = FreeRecipe::parse(text, "kit.toml", Path::new("")).unwrap();
+        assert_eq!(recipe.pieces.len(), 2);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! From a mesh to an instrument: one body, heard from the listener's place, spread over keys.
+//! From meshes to an instrument: bodies, each heard from the listener's place and spread over its keys.
 
 use super::body::{FreeBody, free_body};
 use super::solve::Limits;
@@ -6,8 +6,8 @@ use crate::factory::{ears_m, sounding};
 use crate::mesh::Mesh;
 use crate::solve::Watch;
 use crate::{
-    Bank, Body, CODE, FreeRecipe, Provenance, SolveError, Spread, SpreadRule, TunedMode, Zone,
-    equal_temperament_hz,
+    Bank, Body, CODE, FreeRecipe, Matter, Piece, Provenance, SolveError, Spread, SpreadRule,
+    TunedMode, Zone, equal_temperament_hz,
 };
 use std::sync::Arc;
 
@@ -36,58 +36,123 @@ pub enum FreeError {
     },
 }
 
-/// The bank of a body of any shape: one body, and how it is given to keys.
+/// A piece of an instrument, solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolvedPiece {
+    body: Body,
+    zone: Zone,
+    mesh: String,
+    orthonormality: f64,
+}
+
+/// Solves the body of the recipe's piece of that number, counted from 0.
 ///
-/// The body is solved as it is; modes are found as high as the lowest key needs them.
+/// The body is solved as it is; modes are found as high as the lowest of its keys needs them. The row has
+/// the bodies side by side, the lowest keys leftmost.
 ///
 /// # Errors
 ///
 /// [`FreeError`], with [`SolveError::Cancelled`] in it when `watch` says so.
-pub fn free_bank(recipe: &FreeRecipe, mesh: &Mesh, watch: &dyn Watch) -> Result<Bank, FreeError> {
-    let free = free_body(mesh, &recipe.material, limits(recipe), watch)?;
-    let residuals = free.solved.modes.iter().map(|mode| mode.residual);
-    let provenance = Provenance {
-        recipe: recipe.text.clone(),
-        code: CODE.to_owned(),
-        mesh: format!(
-            "10-node tetrahedra, curved: {} elements, {} nodes",
-            free.elements, free.nodes
-        ),
-        solver: "shift-invert block Lanczos, inertia counts".into(),
-        tolerance_cents: 0.0,
-        max_residual: residuals.fold(0.0, f64::max),
-        max_orthonormality_error: free.solved.orthonormality,
+///
+/// # Panics
+///
+/// If the recipe has no such piece.
+pub fn solved_piece(
+    recipe: &FreeRecipe,
+    number: usize,
+    mesh: &Mesh,
+    watch: &dyn Watch,
+) -> Result<SolvedPiece, FreeError> {
+    let piece = &recipe.pieces[number];
+    let free = free_body(mesh, &piece.material, limits(recipe, piece), watch)?;
+    let words = format!("{} elements, {} nodes", free.elements, free.nodes);
+    let orthonormality = free.solved.orthonormality;
+    let place = match recipe.pieces.len() {
+        1 => 0.5,
+        count => number as f64 / (count - 1) as f64,
     };
-    let (body, tuned) = tuned_body(recipe, free)?;
-    Ok(Bank {
-        name: recipe.name.clone(),
-        title: recipe.title.clone(),
-        material: recipe.material,
-        damping: recipe.damping,
-        ears_m: ears_m(&recipe.listener),
-        provenance,
-        spread: Some(Spread {
-            rule: recipe.tuning.rule,
-            a4_hz: recipe.tuning.a4_hz,
-            zones: vec![Zone {
-                low: recipe.keys.low,
-                high: recipe.keys.high,
-                tuned,
-                rule: None,
-            }],
-        }),
-        bodies: vec![body],
+    let (body, tuned) = tuned_body(recipe, piece, free, place)?;
+    Ok(SolvedPiece {
+        body,
+        zone: Zone {
+            low: piece.keys.low,
+            high: piece.keys.high,
+            tuned,
+            rule: Some(piece.tuning.rule),
+        },
+        mesh: words,
+        orthonormality,
     })
 }
 
+/// The bank of all pieces of the recipe, solved, in its order: a body of each, and how they are given to
+/// keys. It is of the first one's material.
+///
+/// # Panics
+///
+/// If there are no pieces, or not as many as the recipe has.
+#[must_use]
+pub fn free_bank(recipe: &FreeRecipe, solved: Vec<SolvedPiece>) -> Bank {
+    assert_eq!(recipe.pieces.len(), solved.len(), "one for each piece");
+    let first = &recipe.pieces[0];
+    let residuals = solved.iter().flat_map(|piece| &piece.body.modes);
+    let max_residual = residuals.fold(0.0, |most: f64, mode| most.max(mode.residual));
+    let deviations = solved.iter().map(|piece| piece.orthonormality);
+    let meshes: Vec<&str> = solved.iter().map(|piece| piece.mesh.as_str()).collect();
+    let provenance = Provenance {
+        recipe: recipe.text.clone(),
+        code: CODE.to_owned(),
+        mesh: format!("10-node tetrahedra, curved: {}", meshes.join("; ")),
+        solver: "shift-invert block Lanczos, inertia counts".into(),
+        tolerance_cents: 0.0,
+        max_residual,
+        max_orthonormality_error: deviations.fold(0.0, f64::max),
+    };
+    let rule = first.tuning.rule;
+    let matter = matter(first);
+    let (mut bodies, mut zones) = (Vec::new(), Vec::new());
+    for (piece, solved) in recipe.pieces.iter().zip(solved) {
+        let own = self::matter(piece);
+        bodies.push(Body {
+            matter: (own != matter).then_some(own),
+            ..solved.body
+        });
+        zones.push(Zone {
+            rule: solved.zone.rule.filter(|own| *own != rule),
+            ..solved.zone
+        });
+    }
+    Bank {
+        name: recipe.name.clone(),
+        title: recipe.title.clone(),
+        material: matter.material,
+        damping: matter.damping,
+        ears_m: ears_m(&recipe.listener),
+        provenance,
+        spread: Some(Spread {
+            rule,
+            a4_hz: recipe.a4_hz,
+            zones,
+        }),
+        bodies,
+    }
+}
+
+fn matter(piece: &Piece) -> Matter {
+    Matter {
+        material: piece.material,
+        damping: piece.damping,
+    }
+}
+
 /// Up to where the modes of the body as it is are heard on its lowest key.
-fn limits(recipe: &FreeRecipe) -> Limits {
-    let (tuning, fineness) = (&recipe.tuning, &recipe.fineness);
+fn limits(recipe: &FreeRecipe, piece: &Piece) -> Limits {
+    let (tuning, fineness) = (&piece.tuning, &piece.fineness);
     let number = match tuning.mode {
         TunedMode::Number(number) => (number as usize).clamp(1, fineness.most_modes),
         TunedMode::Lowest | TunedMode::Loudest => 1,
     };
-    let pitch_hz = equal_temperament_hz(recipe.keys.low, tuning.a4_hz);
+    let pitch_hz = equal_temperament_hz(piece.keys.low, recipe.a4_hz);
     Limits {
         highest_hz: fineness.highest_hz,
         most: fineness.most_modes,
@@ -95,23 +160,27 @@ fn limits(recipe: &FreeRecipe) -> Limits {
     }
 }
 
-/// The body at the key nearest to its own pitch, and which of its modes carries that, from 0.
-fn tuned_body(recipe: &FreeRecipe, free: FreeBody) -> Result<(Body, u32), FreeError> {
+/// The body, at its `place` in the row, at the key nearest to its own pitch, and which of its modes carries
+/// that, from 0.
+fn tuned_body(
+    recipe: &FreeRecipe,
+    piece: &Piece,
+    free: FreeBody,
+    place: f64,
+) -> Result<(Body, u32), FreeError> {
     let found = free.solved.modes.len();
     if found == 0 {
         return Err(FreeError::Silent {
-            highest_hz: recipe.fineness.highest_hz,
+            highest_hz: piece.fineness.highest_hz,
         });
     }
-    let (keys, tuning) = (recipe.keys, &recipe.tuning);
-    // The row has but this body, in the middle.
-    let middle = 0.5;
+    let (keys, tuning) = (piece.keys, &piece.tuning);
     let mut body = sounding(
         free.solved,
         (keys.low, 1.0),
-        middle,
+        place,
         &recipe.listener,
-        &recipe.losses,
+        &piece.losses,
         None,
     );
     let tuned = match tuning.mode {
@@ -122,7 +191,7 @@ fn tuned_body(recipe: &FreeRecipe, free: FreeBody) -> Result<(Body, u32), FreeEr
     };
     let own_hz = body.modes[tuned as usize].hz;
     let cents = |key: &u8| {
-        (own_hz / equal_temperament_hz(*key, tuning.a4_hz))
+        (own_hz / equal_temperament_hz(*key, recipe.a4_hz))
             .log2()
             .abs()
     };

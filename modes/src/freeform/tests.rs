@@ -4,6 +4,7 @@ mod banks;
 mod brick;
 mod cylinder;
 mod grids;
+mod kits;
 mod lamb;
 mod made;
 

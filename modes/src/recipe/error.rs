@@ -1,5 +1,7 @@
 //! What can be wrong with a recipe.
 
+use std::borrow::Cow;
+use std::fmt::Display;
 use std::io;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -24,8 +26,8 @@ pub enum RecipeError {
     Field {
         /// The file.
         file: String,
-        /// The field, as in `body.wall_m`.
-        field: &'static str,
+        /// The field, as in `body.wall_m` or `piece 2: body.wall_m`.
+        field: Cow<'static, str>,
         /// What the file says.
         value: String,
         /// What it may say.
@@ -58,7 +60,7 @@ pub(super) enum Fault {
         message: String,
     },
     Field {
-        field: &'static str,
+        field: Cow<'static, str>,
         value: String,
         allowed: String,
     },
@@ -71,9 +73,25 @@ impl Fault {
         allowed: impl Into<String>,
     ) -> Self {
         Self::Field {
-            field,
+            field: field.into(),
             value: value.to_string(),
             allowed: allowed.into(),
+        }
+    }
+
+    /// Puts `place` in front of the field.
+    pub(super) fn within(self, place: impl Display) -> Self {
+        match self {
+            Self::Field {
+                field,
+                value,
+                allowed,
+            } => Self::Field {
+                field: format!("{place}: {field}").into(),
+                value,
+                allowed,
+            },
+            syntax @ Self::Syntax { .. } => syntax,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Recipes of meshes.
 
-use super::{FreeFineness, FreeRecipe, Recipe, TunedMode};
+use super::{FreeFineness, FreeRecipe, MeshScale, Recipe, TunedMode, Up};
 use crate::SpreadRule;
 use std::path::Path;
 
@@ -29,12 +29,18 @@ fn parse(text: &str) -> Result<FreeRecipe, String> {
 fn a_recipe_is_read_with_what_it_leaves_out() {
     let recipe = parse(BELL).unwrap();
     assert_eq!(recipe.title, "bell");
-    assert_eq!(recipe.shape.file, Path::new("shapes/bell.obj"));
-    assert_eq!(recipe.shape.wall_m, Some(0.004));
-    assert_eq!(recipe.tuning.rule, SpreadRule::Density);
-    assert_eq!(recipe.tuning.mode, TunedMode::Number(5));
-    assert_eq!(recipe.fineness, FreeFineness::default());
-    assert!(recipe.damping.rayleigh.alpha1_s > 0.0);
+    let [piece] = &recipe.pieces[..] else {
+        panic!("{recipe:?}");
+    };
+    assert_eq!(piece.shape.file, Path::new("shapes/bell.obj"));
+    assert_eq!(piece.shape.wall_m, Some(0.004));
+    assert_eq!(piece.shape.scale, MeshScale::Longest(0.2));
+    assert_eq!((piece.shape.up, recipe.a4_hz), (Up::Z, 440.0));
+    assert!(piece.shape.objects.is_empty());
+    assert_eq!(piece.tuning.rule, SpreadRule::Density);
+    assert_eq!(piece.tuning.mode, TunedMode::Number(5));
+    assert_eq!(piece.fineness, FreeFineness::default());
+    assert!(piece.damping.rayleigh.alpha1_s > 0.0);
     assert!(FreeRecipe::is_meant(BELL));
     assert!(
         !Recipe::FACTORY
@@ -75,6 +81,41 @@ fn what_is_out_of_range_is_named_with_what_is_allowed() {
             "size_m = 0.2",
             "size_m = 200.0",
             "body.size_m is 200, but must be 0.001 to 10",
+        ),
+        (
+            "size_m = 0.2",
+            "size_m = 0.2\nunit_m = 0.001",
+            "body.unit_m is 0.001, but must be left out where body.size_m tells the size",
+        ),
+        (
+            "size_m = 0.2",
+            "unit_m = 0.0",
+            "body.unit_m is 0, but must be 0.000001 to 1000",
+        ),
+        (
+            "size_m = 0.2",
+            "up = \"north\"",
+            "body.up is \"north\", but must be \"x\", \"y\" or \"z\"",
+        ),
+        (
+            "size_m = 0.2",
+            "object = \"a\"\nobjects = [\"b\"]",
+            "body.objects is given, but must be left out where body.object names one",
+        ),
+        (
+            "size_m = 0.2",
+            "objects = []",
+            "body.objects is empty, but must be left out for all objects, or a list",
+        ),
+        (
+            "shape = \"mesh\"",
+            "",
+            "body.shape is left out, but must be given",
+        ),
+        (
+            "[keys]\nlow = 48\nhigh = 84",
+            "",
+            "keys is left out, but must be given",
         ),
         (
             "wall_m = 0.004",

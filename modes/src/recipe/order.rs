@@ -1,33 +1,46 @@
-//! A recipe of a mesh, written from what somebody has chosen.
+//! A recipe of meshes, written from what somebody has chosen.
 
-use super::{FreeRecipe, RecipeError};
+use super::{FreeRecipe, RecipeError, Up};
 use crate::NAMED_MATERIALS;
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use std::path::Path;
 
-/// What to make of a mesh: each field as recipes have it.
-#[derive(Clone, Debug, PartialEq)]
+/// What to make of meshes: each field as recipes have it.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshOrder {
+    /// Name for people; without, that of the first piece's file.
+    pub title: Option<String>,
+    /// The bodies.
+    pub pieces: Vec<PieceOrder>,
+    /// Nodes of each mesh of tetrahedra, about.
+    pub nodes: u32,
+    /// Modes of each body at most.
+    pub most_modes: u32,
+}
+
+/// What to make of one mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PieceOrder {
     /// The mesh's file.
     pub file: String,
-    /// The one of its objects that is meant; without, all.
-    pub object: Option<String>,
+    /// Those of its objects that are meant, together one body; all if none is named.
+    pub objects: Vec<String>,
     /// What it is made of: a known name, or a part of just one.
     pub material: String,
-    /// Longest side of its bounding box, in m; without, the file is in metres.
+    /// Longest side of its bounding box, in m; without, the unit tells the size.
     pub size_m: Option<f64>,
+    /// What one of the file's units is, in m; without either, one metre.
+    pub unit_m: Option<f64>,
     /// Thickness of its wall, in m; without, it is solid.
     pub wall_m: Option<f64>,
+    /// Which of the file's axes points up.
+    pub up: Up,
     /// Lowest and highest MIDI key.
     pub keys: [u8; 2],
     /// What changes from key to key: size, density, stiffness or nothing.
     pub by: String,
     /// The mode that is tuned: lowest, loudest or its number.
     pub tuned: String,
-    /// Nodes of the mesh of tetrahedra, about.
-    pub nodes: u32,
-    /// Modes at most.
-    pub most_modes: u32,
 }
 
 impl MeshOrder {
@@ -35,15 +48,19 @@ impl MeshOrder {
     ///
     /// # Errors
     ///
-    /// If a value is out of its range.
+    /// If a value is out of its range, or two pieces share a key.
     pub fn recipe(&self, name: &str) -> Result<FreeRecipe, RecipeError> {
         FreeRecipe::parse(&self.text(), name, Path::new(""))
     }
 
-    /// The file's name without its ending: the instrument's for people.
+    /// The instrument's name for people.
     fn title(&self) -> String {
-        let stem = Path::new(&self.file).file_stem().unwrap_or_default();
-        stem.to_string_lossy().into_owned()
+        if let Some(title) = &self.title {
+            return title.clone();
+        }
+        let first = self.pieces.first();
+        let stem = first.and_then(|piece| Path::new(&piece.file).file_stem());
+        stem.unwrap_or_default().to_string_lossy().into_owned()
     }
 
     /// The instrument's name, fit for a file.
@@ -54,38 +71,62 @@ impl MeshOrder {
 
     /// The same in words, for the bank to carry.
     fn text(&self) -> String {
-        let mode = match self.tuned.parse::<i64>() {
-            Ok(number) => number.to_string(),
-            Err(_) => quoted(&self.tuned),
-        };
-        let [low, high] = self.keys;
         let mut text = format!(
-            "name = {}\ntitle = {}\n\n[keys]\nlow = {low}\nhigh = {high}\n\n[tuning]\nby = {}\n\
-             mode = {mode}\n\n[body]\nshape = \"mesh\"\nfile = {}\n",
+            "name = {}\ntitle = {}\n",
             quoted(&self.name()),
-            quoted(&self.title()),
-            quoted(&self.by),
-            quoted(&self.file),
+            quoted(&self.title())
         );
         // Writing to a string cannot fail.
-        if let Some(object) = &self.object {
-            let _ = writeln!(text, "object = {}", quoted(object));
-        }
-        if let Some(size_m) = self.size_m {
-            let _ = writeln!(text, "size_m = {size_m:?}");
-        }
-        if let Some(wall_m) = self.wall_m {
-            let _ = writeln!(text, "wall_m = {wall_m:?}");
-        }
-        let material = quoted(material(&self.material));
+        let _ = match &self.pieces[..] {
+            [only] => only.write(&mut text, ""),
+            several => several.iter().try_for_each(|piece| {
+                writeln!(text, "\n[[piece]]")?;
+                piece.write(&mut text, "piece.")
+            }),
+        };
         let Self {
             nodes, most_modes, ..
         } = self;
         let _ = write!(
             text,
-            "\n[material]\nname = {material}\n\n[mesh]\nnodes = {nodes}\nmost_modes = {most_modes}\n"
+            "\n[mesh]\nnodes = {nodes}\nmost_modes = {most_modes}\n"
         );
         text
+    }
+}
+
+impl PieceOrder {
+    /// Its tables, each named with `within` in front.
+    fn write(&self, text: &mut String, within: &str) -> fmt::Result {
+        let mode = match self.tuned.parse::<i64>() {
+            Ok(number) => number.to_string(),
+            Err(_) => quoted(&self.tuned),
+        };
+        let [low, high] = self.keys;
+        write!(
+            text,
+            "\n[{within}keys]\nlow = {low}\nhigh = {high}\n\n[{within}tuning]\nby = {}\n\
+             mode = {mode}\n\n[{within}body]\nshape = \"mesh\"\nfile = {}\n",
+            quoted(&self.by),
+            quoted(&self.file),
+        )?;
+        if !self.objects.is_empty() {
+            let names: Vec<String> = self.objects.iter().map(|name| quoted(name)).collect();
+            writeln!(text, "objects = [{}]", names.join(", "))?;
+        }
+        let lengths_m = [
+            ("size_m", self.size_m),
+            ("unit_m", self.unit_m),
+            ("wall_m", self.wall_m),
+        ];
+        for (field, length_m) in lengths_m {
+            if let Some(length_m) = length_m {
+                writeln!(text, "{field} = {length_m:?}")?;
+            }
+        }
+        writeln!(text, "up = {}", quoted(self.up.name()))?;
+        let material = quoted(material(&self.material));
+        write!(text, "\n[{within}material]\nname = {material}\n")
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Note;
 use super::vector::{bounds, dot, doubled_area, norm, scale, sub};
+use crate::Up;
 
 /// Triangles that close and face outwards, in metres, the middle of their bounding box at the origin.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +16,15 @@ pub struct ClosedSurface {
 }
 
 impl ClosedSurface {
+    /// The same turned so that the file's `up` points along z.
+    #[must_use]
+    pub fn turned(mut self, up: Up) -> Self {
+        for point in &mut self.points_m {
+            *point = up.turned(*point);
+        }
+        self
+    }
+
     /// Corners of a triangle, in m.
     #[must_use]
     pub fn corners_m(&self, triangle: usize) -> [[f64; 3]; 3] {

@@ -20,12 +20,25 @@ const SIZES_M: (f64, f64) = (1e-4, 100.0);
 const USUAL_M: (f64, f64) = (5e-3, 10.0);
 
 /// What a mesh is to become.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repair {
-    /// Longest side of the bounding box, in m; without it the file's units are metres.
+    /// Longest side of the bounding box, in m; without, the file's unit tells.
     pub size_m: Option<f64>,
+    /// What one of the file's units is, in m.
+    pub unit_m: f64,
     /// Which of several pieces are the body.
     pub pieces: Pieces,
+}
+
+impl Default for Repair {
+    /// All of a file in metres.
+    fn default() -> Self {
+        Self {
+            size_m: None,
+            unit_m: 1.0,
+            pieces: Pieces::default(),
+        }
+    }
 }
 
 /// Which of several separate pieces to keep.
@@ -96,7 +109,7 @@ pub fn repair(soup: &Soup, how: &Repair) -> Result<ClosedSurface, MeshError> {
     if volume.is_nan() || volume < 1e-7 * area.powf(1.5) && !encloses(&work) {
         return Err(MeshError::Flat);
     }
-    sized(work, how.size_m)
+    sized(work, how)
 }
 
 /// That each corner is a point in space.
@@ -153,11 +166,11 @@ pub(super) fn length(
 }
 
 /// The surface in metres about the middle of its box, without the points that no triangle uses.
-fn sized(mut work: Work, size_m: Option<f64>) -> Result<ClosedSurface, MeshError> {
+fn sized(mut work: Work, how: &Repair) -> Result<ClosedSurface, MeshError> {
     let used = work.triangles.iter().flatten();
     let (low, high) = bounds(used.map(|&i| work.points[i as usize]));
     let longest = (0..3).map(|a| high[a] - low[a]).fold(0.0, f64::max);
-    let longest_m = size_m.unwrap_or(longest);
+    let longest_m = how.size_m.unwrap_or(how.unit_m * longest);
     length("the body's longest side", longest_m, SIZES_M)?;
     if !(USUAL_M.0..=USUAL_M.1).contains(&longest_m) {
         work.notes.push(Note::Size { longest_m });

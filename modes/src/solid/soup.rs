@@ -44,6 +44,28 @@ impl Soup {
         (self.points, self.triangles)
     }
 
+    /// The objects of these names, alone.
+    ///
+    /// # Errors
+    ///
+    /// [`MeshError::NoSuchObject`] names those there are.
+    pub fn only(&self, names: &[String]) -> Result<Self, MeshError> {
+        let mut chosen = Self {
+            points: self.points.clone(),
+            ..Self::default()
+        };
+        for name in names {
+            let object = self.object(name)?;
+            let first = chosen.triangles.len();
+            chosen.triangles.extend(object.triangles);
+            chosen.objects.push(SoupObject {
+                name: name.clone(),
+                triangles: first..chosen.triangles.len(),
+            });
+        }
+        Ok(chosen)
+    }
+
     /// The objects called `name`, alone.
     ///
     /// # Errors

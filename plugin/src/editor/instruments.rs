@@ -3,7 +3,7 @@
 use super::choice::{closed, place, stepped};
 use super::doors::Picked;
 use super::param::Param;
-use super::sheet::{News, Sheet};
+use super::sheet::{News, Place, Sheet};
 use super::theme::{Theme, small};
 use super::ware::Ware;
 use crate::mesher::Places;
@@ -82,7 +82,7 @@ impl Instruments {
     /// Takes a file: a bank is loaded, a mesh comes onto the sheet.
     pub fn open(&self, path: PathBuf) {
         if Ware::of(&path) == Some(Ware::Mesh) {
-            self.sheet.chosen().put(path);
+            self.sheet.chosen().put((path, Place::New));
         } else {
             self.library.ask(path);
         }
@@ -98,6 +98,11 @@ impl Instruments {
         &self.picked
     }
 
+    /// Takes a mesh onto the sheet that is open, as a further body.
+    pub fn add(&self, path: PathBuf) {
+        self.sheet.chosen().put((path, Place::Further));
+    }
+
     /// Draws the sheet of a mesh, if one is open.
     pub(super) fn show_sheet(&mut self, ui: &Ui, theme: &Theme) {
         let places = Places {
@@ -105,7 +110,9 @@ impl Instruments {
             shelf: Arc::clone(self.controls.shelf()),
             notices: Arc::clone(self.controls.notices()),
         };
-        self.sheet.show(ui, &places, theme);
+        if self.sheet.show(ui, &places, theme) {
+            self.import(Place::Further);
+        }
     }
 
     pub(super) fn notices(&self) -> &Arc<Notices> {
@@ -150,8 +157,9 @@ impl Instruments {
         }
     }
 
-    /// Asks the system for files, on a thread of its own; whatever comes is taken as if it were dropped.
-    fn import(&self) {
+    /// Asks the system for files, on a thread of its own; whatever comes is taken as if it were dropped, but for
+    /// the first mesh if it is to be a further body on the sheet.
+    fn import(&self, place: Place) {
         let ends = Ware::ALL.map(|(_, end)| end);
         let dialog = rfd::AsyncFileDialog::new()
             .set_title("Files for Idiophone")
@@ -159,14 +167,23 @@ impl Instruments {
         // Made here, because some systems want that on the window's thread.
         let picked = dialog.pick_files();
         let notices = Arc::clone(self.notices());
-        let (waiting, news) = (self.picked.clone(), Arc::clone(&self.sheet.news));
+        let (waiting, chosen) = (self.picked.clone(), self.sheet.chosen());
+        let news = Arc::clone(&self.sheet.news);
         let asked = Instant::now();
         // Without a thread to be had, there is still the folder.
         let _ = thread::Builder::new()
             .name("idiophone dialog".to_owned())
             .spawn(move || match pollster::block_on(picked) {
                 Some(files) => {
-                    waiting.put(files.iter().map(|file| file.path().to_path_buf()));
+                    let mut paths: Vec<PathBuf> =
+                        files.iter().map(|file| file.path().to_path_buf()).collect();
+                    let mesh = |path: &PathBuf| Ware::of(path) == Some(Ware::Mesh);
+                    if place == Place::Further
+                        && let Some(first) = paths.iter().position(mesh)
+                    {
+                        chosen.put((paths.remove(first), place));
+                    }
+                    waiting.put(paths);
                     news();
                 }
                 None if asked.elapsed() < CANCEL => notices.post(Notice {
@@ -222,7 +239,7 @@ impl Instruments {
         match wanted {
             Some(Wanted::Number(index)) => param.put(setter, place(index, steps)),
             Some(Wanted::File(path)) => self.open(path),
-            Some(Wanted::Import) => self.import(),
+            Some(Wanted::Import) => self.import(Place::New),
             Some(Wanted::Folder) => self.show_folder(ui),
             None => {}
         }

@@ -4,7 +4,7 @@ mod facts;
 mod job;
 mod state;
 
-pub use facts::{Facts, guessed_size_m};
+pub use facts::{Facts, Part, guessed_size_m};
 pub use state::{Phase, Quality, State};
 
 use crate::notices::{Notices, Subject};

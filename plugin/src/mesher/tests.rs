@@ -4,23 +4,30 @@ mod playing;
 
 use super::*;
 use crate::notices::{Cure, Notice};
+use modes::PieceOrder;
 use modes::solid::{gallery, write_obj};
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-fn order(file: &Path) -> MeshOrder {
+/// One body, or several with keys from 36 up, an octave each.
+fn order(files: &[&Path]) -> MeshOrder {
+    let alone = files.len() == 1;
+    let pieces = files
+        .iter()
+        .zip((36..96).step_by(12))
+        .map(|(file, low)| PieceOrder {
+            file: file.to_str().unwrap().to_owned(),
+            material: "bell bronze".to_owned(),
+            size_m: Some(0.2),
+            keys: if alone { [36, 96] } else { [low, low + 11] },
+            by: "size".to_owned(),
+            tuned: "lowest".to_owned(),
+            ..PieceOrder::default()
+        });
     MeshOrder {
-        file: file.to_str().unwrap().to_owned(),
-        object: None,
-        material: "bell bronze".to_owned(),
-        size_m: Some(0.2),
-        wall_m: None,
-        keys: [36, 96],
-        by: "size".to_owned(),
-        tuned: "lowest".to_owned(),
-        nodes: 0,
-        most_modes: 0,
+        pieces: pieces.collect(),
+        ..MeshOrder::default()
     }
 }
 
@@ -53,13 +60,12 @@ fn a_star_is_looked_into_built_kept_and_played() {
     let mut mesher = Mesher::default();
     mesher.look(file.clone(), || ());
     let facts = rest(&mesher).facts.unwrap();
-    assert!((facts.longest - 190.2).abs() < 10.0, "{}", facts.longest);
-    assert!((guessed_size_m(facts.longest) - 1e-3 * facts.longest).abs() < 1e-12);
+    let longest = facts.longest(&[]);
+    assert!((longest - 190.2).abs() < 10.0, "{longest}");
+    assert!((guessed_size_m(longest) - 1e-3 * longest).abs() < 1e-12);
     for _ in 0..2 {
-        let order = MeshOrder {
-            size_m: Some(if banks.exists() { 0.3 } else { 0.2 }),
-            ..order(&file)
-        };
+        let mut order = order(&[&file]);
+        order.pieces[0].size_m = Some(if banks.exists() { 0.3 } else { 0.2 });
         mesher.build(order, Quality::Preview, &places, || ());
         assert_eq!(rest(&mesher).phase, Phase::Done);
         assert!(places.library.arrived());
@@ -76,6 +82,41 @@ fn a_star_is_looked_into_built_kept_and_played() {
 }
 
 #[test]
+fn a_kit_is_built_and_its_notes_say_of_which_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    let star = folder.path().join("star.obj");
+    fs::write(&star, write_obj(&gallery::star(5, 0.1, 0.02))).unwrap();
+    let ball = folder.path().join("ball.obj");
+    let inside_out: String = write_obj(&gallery::sphere(0.1, 2))
+        .lines()
+        .map(
+            |line| match line.split_whitespace().collect::<Vec<_>>()[..] {
+                ["f", a, b, c] => format!("f {a} {c} {b}\n"),
+                _ => format!("{line}\n"),
+            },
+        )
+        .collect();
+    fs::write(&ball, inside_out).unwrap();
+    let banks = folder.path().join("Banks");
+    let places = places(Some(&banks));
+    let mut mesher = Mesher::default();
+    let order = order(&[&star, &ball]);
+    mesher.build(order, Quality::Preview, &places, || ());
+    let state = rest(&mesher);
+    assert_eq!(state.phase, Phase::Done);
+    assert!(
+        state
+            .notes
+            .contains(&"ball.obj: turned 1 pieces that were inside out".to_owned()),
+        "{:?}",
+        state.notes
+    );
+    let bank = places.shelf.own().unwrap();
+    assert_eq!(bank.bank().bodies.len(), 24, "two octaves");
+    assert!(banks.join("star.bank").is_file());
+}
+
+#[test]
 fn what_is_given_up_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("star.obj");
@@ -83,12 +124,12 @@ fn what_is_given_up_leaves_nothing() {
     let banks = folder.path().join("Banks");
     let places = places(Some(&banks));
     let mut mesher = Mesher::default();
-    mesher.build(order(&file), Quality::Full, &places, || ());
+    mesher.build(order(&[&file]), Quality::Full, &places, || ());
     mesher.cancel();
     assert_eq!(rest(&mesher).phase, Phase::Cancelled);
     assert!(places.shelf.own().is_none() && !banks.exists());
     // The window closes in the midst of it.
-    mesher.build(order(&file), Quality::Full, &places, || ());
+    mesher.build(order(&[&file]), Quality::Full, &places, || ());
     drop(mesher);
     assert!(!banks.exists());
     assert_eq!(Arc::strong_count(&places.shelf), 1, "no thread is left");
@@ -102,7 +143,7 @@ fn a_preview_whose_full_quality_is_given_up_plays_on_and_says_so() {
     let banks = folder.path().join("Banks");
     let places = places(Some(&banks));
     let mut mesher = Mesher::default();
-    mesher.build(order(&file), Quality::Full, &places, || ());
+    mesher.build(order(&[&file]), Quality::Full, &places, || ());
     let start = Instant::now();
     while mesher.state().phase != Phase::Full {
         assert!(start.elapsed() < Duration::from_secs(120));
@@ -119,7 +160,7 @@ fn a_preview_whose_full_quality_is_given_up_plays_on_and_says_so() {
     let Some(Cure::Finish(again)) = cure else {
         panic!("{cure:?}");
     };
-    assert_eq!(*again, order(&file));
+    assert_eq!(*again, order(&[&file]));
     mesher.build(*again, Quality::Preview, &places, || ());
     assert_eq!(places.notices.first(), None);
     assert_eq!(rest(&mesher).phase, Phase::Done);
@@ -134,7 +175,7 @@ fn what_is_no_solid_is_refused_with_its_reason() {
     fs::write(&file, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n").unwrap();
     let places = places(None);
     let mut mesher = Mesher::default();
-    mesher.build(order(&file), Quality::Preview, &places, || ());
+    mesher.build(order(&[&file]), Quality::Preview, &places, || ());
     let Phase::Refused(reason) = rest(&mesher).phase else {
         panic!("{:?}", mesher.state());
     };

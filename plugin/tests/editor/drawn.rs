@@ -13,7 +13,7 @@ use idiophone::shelf::{OWN, Own};
 use modes::factory::Silent;
 use modes::freeform::make;
 use modes::solid::{gallery, write_obj};
-use modes::{Bank, MeshOrder};
+use modes::{Bank, MeshOrder, PieceOrder};
 use std::sync::OnceLock;
 
 /// A star of bronze that three octaves share, coarsely solved.
@@ -24,14 +24,16 @@ pub(crate) fn star() -> Bank {
         let file = folder.path().join("star.obj");
         std::fs::write(&file, write_obj(&gallery::star(5, 0.1, 0.02))).unwrap();
         let order = MeshOrder {
-            file: file.to_str().unwrap().to_owned(),
-            object: None,
-            material: "bell bronze".to_owned(),
-            size_m: Some(0.2),
-            wall_m: None,
-            keys: [48, 84],
-            by: "size".to_owned(),
-            tuned: "lowest".to_owned(),
+            title: None,
+            pieces: vec![PieceOrder {
+                file: file.to_str().unwrap().to_owned(),
+                material: "bell bronze".to_owned(),
+                size_m: Some(0.2),
+                keys: [48, 84],
+                by: "size".to_owned(),
+                tuned: "lowest".to_owned(),
+                ..PieceOrder::default()
+            }],
             nodes: 1500,
             most_modes: 24,
         };

@@ -124,6 +124,134 @@ fn a_mesh_that_is_refused_is_shown_with_its_reason() {
     wait(&mut harness, "cannot read the mesh");
 }
 
+/// A ball beside the star, and a file of three boxes.
+fn give_more(folder: &TempDir) -> [PathBuf; 2] {
+    [
+        ("ball.obj", gallery::sphere(40.0, 3)),
+        ("boxes.obj", gallery::stack(3, 50.0)),
+    ]
+    .map(|(name, soup)| {
+        let file = folder.path().join(name);
+        fs::write(&file, write_obj(&soup)).unwrap();
+        file
+    })
+}
+
+/// Puts a further mesh onto the sheet, the one of that stem in the folder.
+fn add(harness: &mut Harness<'_>, bench: &Bench, path: &Path) {
+    bench.ui.borrow_mut().instruments().add(path.to_path_buf());
+    let name = path.file_name().unwrap().to_str().unwrap();
+    wait(harness, &format!("{name}: "));
+}
+
+/// Keys of the bodies that play, and what each is made of.
+fn played(bench: &Bench) -> Vec<(u8, f64)> {
+    let own = bench.controls.shelf().own().unwrap();
+    let bank = own.bank();
+    let density = |body| bank.matter_of(body).material.density_kg_m3;
+    let bodies = bank.bodies.iter();
+    bodies.map(|body| (body.key, density(body))).collect()
+}
+
+#[test]
+fn two_meshes_of_two_materials_share_the_keys() {
+    let bench = Bench::new("chimes");
+    let (folder, file) = give(&bench);
+    let [ball, _] = give_more(&folder);
+    let mut harness = bench.harness();
+    open(&bench, &file);
+    wait(&mut harness, "star.obj: ");
+    add(&mut harness, &bench, &ball);
+    click(&mut harness, "Material");
+    click(&mut harness, "glass");
+    click(&mut harness, "Preview");
+    click(&mut harness, "Build");
+    wait(&mut harness, "It plays");
+    let own = bench.controls.shelf().own().unwrap();
+    assert_eq!(own.title(), "star kit");
+    assert!(folder.path().join("star-kit.bank").is_file());
+    let named = |name| modes::Material::named(name).unwrap().density_kg_m3;
+    let expected = (36..=96).map(|key| {
+        let material = if key <= 65 { "bell bronze" } else { "glass" };
+        (key, named(material))
+    });
+    assert_eq!(played(&bench), expected.collect::<Vec<_>>());
+    // The one that is taken away leaves its keys to the other.
+    click(&mut harness, "C2–F4  star");
+    let remove = harness.get_all_by_label("Remove").next().unwrap();
+    remove.click();
+    harness.run_steps(3);
+    click(&mut harness, "Build");
+    wait(&mut harness, "It plays");
+    assert_eq!(played(&bench).len(), 61);
+    assert!(
+        played(&bench)
+            .iter()
+            .all(|(_, density)| *density == named("glass"))
+    );
+}
+
+#[test]
+fn objects_of_one_file_become_drums() {
+    let bench = Bench::new("chimes");
+    let (folder, _) = give(&bench);
+    let [_, boxes] = give_more(&folder);
+    let mut harness = bench.harness();
+    open(&bench, &boxes);
+    wait(&mut harness, "boxes.obj: ");
+    click(&mut harness, "3 objects, 3 bodies");
+    click(&mut harness, "Preview");
+    click(&mut harness, "Build");
+    wait(&mut harness, "It plays");
+    let own = bench.controls.shelf().own().unwrap();
+    let bodies = &own.bank().bodies;
+    let keys: Vec<u8> = bodies.iter().map(|body| body.key).collect();
+    assert_eq!(keys, [36, 37, 38]);
+    // Each 0.1 of the first's edge larger than the one before, and as much lower.
+    let hz = |i: usize| bodies[i].modes[0].hz;
+    assert!(
+        (hz(0) / hz(1) / 1.1 - 1.0).abs() < 0.01,
+        "{} {}",
+        hz(0),
+        hz(1)
+    );
+    assert!(
+        (hz(0) / hz(2) / 1.2 - 1.0).abs() < 0.01,
+        "{} {}",
+        hz(0),
+        hz(2)
+    );
+}
+
+#[test]
+fn bodies_that_would_share_a_key_are_refused_with_the_cure() {
+    let bench = Bench::new("chimes");
+    let (folder, file) = give(&bench);
+    let [ball, _] = give_more(&folder);
+    let mut harness = bench.harness();
+    open(&bench, &file);
+    wait(&mut harness, "star.obj: ");
+    add(&mut harness, &bench, &ball);
+    harness.get_by_label("Lowest key").set_value_accesskit(50.0);
+    harness.run_steps(3);
+    click(&mut harness, "Build");
+    wait(&mut harness, "no two pieces share a key");
+}
+
+#[test]
+fn the_sheet_of_a_kit_looks_so() {
+    let bench = Bench::new("chimes");
+    let (folder, file) = give(&bench);
+    let [ball, boxes] = give_more(&folder);
+    let mut harness = bench.harness();
+    open(&bench, &file);
+    wait(&mut harness, "star.obj: ");
+    add(&mut harness, &bench, &ball);
+    add(&mut harness, &bench, &boxes);
+    drop(harness);
+    check("mesh-kit", &draw(&bench, USUAL, 1.0, None));
+}
+
 #[test]
 fn the_sheet_looks_so() {
     let bench = Bench::new("chimes");

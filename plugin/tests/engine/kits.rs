@@ -9,7 +9,7 @@ const RATE_HZ: f64 = 48_000.0;
 /// Softer than the chimes' aluminium, and much duller.
 fn oak() -> Matter {
     Matter {
-        material: Material::from_young(11e9, 0.35, 700.0).unwrap(),
+        material: Material::from_young(11e9, 0.35, 700.0).expect("oak is possible"),
         damping: Damping {
             rayleigh: Rayleigh {
                 alpha1_s: 1e-6,

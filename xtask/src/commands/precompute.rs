@@ -42,7 +42,7 @@ impl Precompute {
         Ok(())
     }
 
-    /// Of a mesh: the table, then what was found in it.
+    /// Of meshes: the table, then what was found in them.
     fn make(&self, recipe: &FreeRecipe) -> Result<()> {
         let start = Instant::now();
         let (path, made) = self.mesh.make(recipe)?;

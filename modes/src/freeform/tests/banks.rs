@@ -1,46 +1,55 @@
 //! Whole banks, and bodies solved at two sizes against their spread.
 
-use super::super::{FreeError, free_bank};
+use super::super::{FreeError, free_bank as joined, solved_piece};
 use super::material;
 use crate::mesh::{Mesh, brick_tet10};
+use crate::solve::Watch;
 use crate::{
     Bank, Body, Damping, FreeFineness, FreeRecipe, FreeTuning, KeyRange, ListenerRecipe,
-    LossRecipe, Material, MeshShape, SpreadRule, TunedMode,
+    LossRecipe, Material, MeshScale, MeshShape, Piece, SpreadRule, TunedMode, Up,
 };
 
 fn build(material: Material, rule: SpreadRule) -> FreeRecipe {
     FreeRecipe {
         name: "brick".into(),
         title: "Brick".into(),
-        keys: KeyRange { low: 60, high: 96 },
-        tuning: FreeTuning {
-            rule,
-            a4_hz: 440.0,
-            mode: TunedMode::Lowest,
-        },
-        shape: MeshShape {
-            file: "brick.obj".into(),
-            object: None,
-            size_m: None,
-            wall_m: None,
-        },
-        material,
-        damping: Damping::default(),
-        losses: LossRecipe {
-            support_kg_s: 0.01,
-            felt_kg_s: 0.5,
-        },
+        a4_hz: 440.0,
+        pieces: vec![Piece {
+            keys: KeyRange { low: 60, high: 96 },
+            tuning: FreeTuning {
+                rule,
+                mode: TunedMode::Lowest,
+            },
+            shape: MeshShape {
+                file: "brick.obj".into(),
+                objects: Vec::new(),
+                scale: MeshScale::Unit(1.0),
+                wall_m: None,
+                up: Up::Z,
+            },
+            material,
+            damping: Damping::default(),
+            losses: LossRecipe {
+                support_kg_s: 0.01,
+                felt_kg_s: 0.5,
+            },
+            fineness: FreeFineness {
+                most_modes: 12,
+                ..FreeFineness::default()
+            },
+        }],
         listener: ListenerRecipe {
             distance_m: 50.0,
             above_m: 10.0,
             row_m: 0.0,
         },
-        fineness: FreeFineness {
-            most_modes: 12,
-            ..FreeFineness::default()
-        },
         text: "a brick".into(),
     }
+}
+
+/// The bank of a recipe of one piece.
+fn free_bank(recipe: &FreeRecipe, mesh: &Mesh, watch: &dyn Watch) -> Result<Bank, FreeError> {
+    Ok(joined(recipe, vec![solved_piece(recipe, 0, mesh, watch)?]))
 }
 
 fn brick(scale: f64) -> Mesh {
@@ -160,7 +169,7 @@ fn a_bank_has_a_surface_and_comes_back_from_its_file() {
 fn the_tuned_mode_can_be_chosen() {
     let tuned = |tuned: TunedMode| {
         let mut build = build(material(), SpreadRule::Size);
-        build.tuning.mode = tuned;
+        build.pieces[0].tuning.mode = tuned;
         free_bank(&build, &brick(1.0), &()).map(|bank| bank.spread.unwrap().zones[0].tuned)
     };
     assert_eq!(tuned(TunedMode::Lowest), Ok(0));

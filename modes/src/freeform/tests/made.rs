@@ -11,10 +11,10 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 /// A folder with `soup` in `shape.obj`, gone with this.
-struct Folder(PathBuf);
+pub(super) struct Folder(pub(super) PathBuf);
 
 impl Folder {
-    fn with(name: &str, soup: &Soup) -> Self {
+    pub(super) fn with(name: &str, soup: &Soup) -> Self {
         let name = format!("idiophone-made-{name}-{}", std::process::id());
         let folder = std::env::temp_dir().join(name);
         std::fs::create_dir_all(&folder).unwrap();

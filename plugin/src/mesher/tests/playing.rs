@@ -139,7 +139,7 @@ fn a_preview_sounds_first_and_full_quality_takes_its_place_without_a_break() {
     fs::write(&file, write_obj(&ring)).unwrap();
     let places = places(None);
     let mut mesher = Mesher::default();
-    mesher.build(order(&file), Quality::Full, &places, || ());
+    mesher.build(order(&[&file]), Quality::Full, &places, || ());
     let take = Take::of(&mesher, &places.shelf);
     assert_eq!(rest(&mesher).phase, Phase::Done);
     let [preview, full] = &take.acts[..] else {
