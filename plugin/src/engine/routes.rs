@@ -185,8 +185,7 @@ mod tests {
         while routes.moving != 0 {
             let mut outputs = [SILENT; OUTPUTS];
             routes.share(61, GRID, &sound, &mut outputs);
-            for n in 0..GRID {
-                let (old, new) = (outputs[0][1][n], outputs[1][1][n]);
+            for (old, new) in outputs[0][1].iter().zip(outputs[1][1]) {
                 assert!((old + new - 1.0).abs() < 1e-15);
                 assert!(new >= last && new - last < 1.01 / 240.0);
                 last = new;

@@ -30,7 +30,7 @@ pub const LIMITER: Spec = Spec {
 /// What goes to which output.
 pub const OUTPUTS: Spec = Spec {
     id: "outs",
-    name: "Outputs",
+    name: "Split outputs",
     tooltip: "Where the host has the plug-in with eight outputs: an octave on each from C2 up (lower keys in \
               main); a body on each, round again after eight; or MIDI channels 1 to 8. What is sent \
               nowhere else is in main, which with one output is everything.",

@@ -9,7 +9,7 @@ const FRAMES: usize = 4800;
 
 /// An instance that plays on eight outputs.
 fn laid_out(outputs: &str) -> Plugin {
-    let mut plugin = plugin_with(&[&format!("Outputs={outputs}"), "Limiter=off"]).unwrap();
+    let mut plugin = plugin_with(&[&format!("Split outputs={outputs}"), "Limiter=off"]).unwrap();
     plugin.lay_out(LAYOUT).unwrap();
     plugin.activate(48_000.0, 512).unwrap();
     plugin
@@ -117,7 +117,7 @@ fn without_other_outputs_everything_is_in_main() {
     let chord = [note(0, 40), note(1, 60), note(9, 72)];
     let mut plain = playing(48_000.0).unwrap();
     let plain = plain.play(&chord, FRAMES, 480).unwrap();
-    let mut split = plugin_with(&["Outputs=by octave"]).unwrap();
+    let mut split = plugin_with(&["Split outputs=by octave"]).unwrap();
     split.activate(48_000.0, 4096).unwrap();
     let split = split.play(&chord, FRAMES, 480).unwrap();
     for (plain, split) in plain.left.iter().zip(&split.left) {
