@@ -6,6 +6,7 @@ mod cylinder;
 mod grids;
 mod lamb;
 mod made;
+mod tube;
 
 use super::{Limits, free_body};
 use crate::Material;

@@ -11,10 +11,10 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 /// A folder with `soup` in `shape.obj`, gone with this.
-struct Folder(PathBuf);
+pub(super) struct Folder(pub(super) PathBuf);
 
 impl Folder {
-    fn with(name: &str, soup: &Soup) -> Self {
+    pub(super) fn with(name: &str, soup: &Soup) -> Self {
         let name = format!("idiophone-made-{name}-{}", std::process::id());
         let folder = std::env::temp_dir().join(name);
         std::fs::create_dir_all(&folder).unwrap();
@@ -31,7 +31,7 @@ impl Drop for Folder {
 }
 
 /// Of the material of these tests.
-fn recipe(folder: &Path, body: &str, nodes: usize) -> FreeRecipe {
+pub(super) fn recipe(folder: &Path, body: &str, nodes: usize) -> FreeRecipe {
     let text = format!(
         "name = \"shape\"\n[keys]\nlow = 60\nhigh = 72\n[tuning]\nby = \"nothing\"\n\
          [body]\nshape = \"mesh\"\nfile = \"shape.obj\"\n{body}\n\
@@ -41,7 +41,7 @@ fn recipe(folder: &Path, body: &str, nodes: usize) -> FreeRecipe {
     FreeRecipe::parse(&text, "shape.toml", folder).unwrap()
 }
 
-fn hz(recipe: &FreeRecipe) -> Vec<f64> {
+pub(super) fn hz(recipe: &FreeRecipe) -> Vec<f64> {
     let made = make(recipe, &Silent).unwrap();
     assert_eq!(made.bank.check(), Ok(()));
     let modes = &made.bank.bodies[0].modes;
