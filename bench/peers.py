@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Our eigen solver beside others: same K and M, same number of modes, one thread, CPU seconds.
+"""Our eigen solver beside others: same K and M, same number of modes, one thread, CPU seconds and memory.
 
-    python3 bench/peers.py tet4 tet10 [--repeat 3] [--release] [--keep DIR]
+    python3 bench/peers.py tet4 tet10 solid hollow [--repeat 3] [--release] [--keep DIR]
 
 Runs `cargo xtask pencil` for the matrices and our own figures, then each peer in a process of its
-own. A peer that is not installed is named and left out:
+own, so many times in turn. A peer that is not installed is named and left out:
 
   eigsh+CHOLMOD  pip install scipy scikit-sparse==0.4.16    (Debian: libsuitesparse-dev)
   SLEPc          apt install python3-slepc4py-real python3-scipy    (Debian's own Python)
@@ -13,6 +13,7 @@ own. A peer that is not installed is named and left out:
 
 A peer starts from matrices in memory and factors K - sigma M, sigma = -(2 pi 200 Hz)^2, once, by
 sparse Cholesky; its eigenvalues are converged to 1e-9. Rigid motions are asked for and left out.
+Memory is what each process holds at most while it solves, the matrices, Python and libraries included.
 """
 
 import argparse
@@ -31,14 +32,16 @@ TOLERANCE = 1e-9
 ONE_THREAD = {f"{name}_NUM_THREADS": "1" for name in ("OMP", "OPENBLAS", "MKL", "BLIS")}
 
 
-def ours(element, repeat, release, folder):
-    """Writes the matrices and solves them with the repository's own command."""
+def told(command, **more):
+    """The line of JSON that a command ends with."""
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, **more)
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def pencil(body, release):
+    """The repository's own command."""
     cargo = ["cargo", "run", "--quiet", "-p", "xtask"] + (["--release"] if release else [])
-    command = cargo + ["--", "pencil", element]
-    subprocess.run(command + ["--output", folder], cwd=ROOT, check=True, stdout=sys.stderr)
-    solve = command + ["--solve", "--json", "--repeat", str(repeat)]
-    text = subprocess.run(solve, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
-    return json.loads(text)
+    return cargo + ["--", "pencil", body]
 
 
 def read(folder):
@@ -122,17 +125,26 @@ def blas():
 PEERS = {"eigsh+CHOLMOD": cholmod, "SLEPc": slepc}
 
 
-def peer(name, folder, modes, repeat):
+def forget_peak():
+    """Has the kernel measure the peak of this process's memory from here on."""
+    with open("/proc/self/clear_refs", "w") as file:
+        file.write("5")
+
+
+def peak_mib():
+    with open("/proc/self/status") as file:
+        return next(int(line.split()[1]) for line in file if line.startswith("VmHWM:")) / 1024
+
+
+def peer(name, folder, modes):
     """In a process of its own: one line of JSON, like ours."""
     import numpy
 
     stiffness, mass = read(folder)
-    least = None
-    for _ in range(repeat):
-        start = time.process_time()
-        values, vectors = PEERS[name](stiffness, mass, modes + RIGID)
-        spent = time.process_time() - start
-        least = spent if least is None else min(least, spent)
+    forget_peak()
+    start = time.process_time()
+    values, vectors = PEERS[name](stiffness, mass, modes + RIGID)
+    spent, peak = time.process_time() - start, peak_mib()
     order = numpy.argsort(values)[RIGID:]
     values, vectors = values[order], vectors[:, order]
     forces = stiffness @ vectors
@@ -140,7 +152,8 @@ def peer(name, folder, modes, repeat):
     hz = numpy.sqrt(values) / (2 * numpy.pi)
     report = {
         "modes": len(values),
-        "cpu_s": least,
+        "cpu_s": spent,
+        "peak_mib": peak,
         "first_hz": hz[0],
         "last_hz": hz[-1],
         "blas": blas(),
@@ -170,40 +183,60 @@ def python_for(name):
     return None
 
 
-def compare(element, repeat, release, folder):
-    own = ours(element, repeat, release, folder)
-    rows = [("ours", own)]
+def solvers(body, release, folder):
+    """Ours, which tells the number of modes, then whichever peers there are: names and functions."""
+    own = pencil(body, release) + ["--solve", "--json"]
+    yield "ours", lambda modes: told(own, cwd=ROOT)
     for name in PEERS:
         found = python_for(name)
         if found is None:
             print(f"{name}: not installed, left out; see {sys.argv[0]} --help", file=sys.stderr)
             continue
-        python, surroundings = found
-        command = [python, os.path.abspath(__file__), "--peer", name, "--keep", folder]
-        command += ["--modes", str(own["modes"]), "--repeat", str(repeat)]
-        done = subprocess.run(command, env=surroundings, stdout=subprocess.PIPE, text=True)
-        if done.returncode:
-            print(f"{name}: failed", file=sys.stderr)
-            continue
-        rows.append((name, json.loads(done.stdout.splitlines()[-1])))
-    print(f"\n{element}: {own['unknowns']} unknowns\n")
-    print("| solver | modes | first Hz | last Hz | worst residual | CPU s | × ours |")
-    print("|---|---|---|---|---|---|---|")
-    for name, row in rows:
+        python, around = found
+        command = [python, os.path.abspath(__file__), "--peer", name, "--keep", folder, "--modes"]
+        yield name, lambda modes, command=command, around=around: told(
+            command + [str(modes)], env=around
+        )
+
+
+def compare(body, repeat, release, folder):
+    """In turn, so that all meet the machine in the same moods; of each the run of least time."""
+    written = pencil(body, release) + ["--output", folder]
+    subprocess.run(written, cwd=ROOT, check=True, stdout=sys.stderr)
+    least = {}
+    running = dict(solvers(body, release, folder))
+    for _ in range(repeat):
+        for name, solve in list(running.items()):
+            try:
+                row = solve(least["ours"]["modes"] if least else None)
+            except subprocess.CalledProcessError:
+                if name == "ours":
+                    raise
+                print(f"{name}: failed", file=sys.stderr)
+                del running[name]
+                continue
+            least[name] = min(least.get(name, row), row, key=lambda row: row["cpu_s"])
+    own = least["ours"]
+    print(f"\n{body}: {own['unknowns']} unknowns\n")
+    print("| solver | modes | first Hz | last Hz | worst residual | CPU s | × ours | MiB | × ours |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for name, row in least.items():
         print(
             f"| {name} | {row['modes']} | {row['first_hz']:.3f} | {row['last_hz']:.3f} "
             f"| {row['worst_residual']:.1e} | {row['cpu_s']:.2f} "
-            f"| {row['cpu_s'] / own['cpu_s']:.2f} |"
+            f"| {row['cpu_s'] / own['cpu_s']:.2f} | {row['peak_mib']:.0f} "
+            f"| {row['peak_mib'] / own['peak_mib']:.2f} |"
         )
-    for name, row in rows[1:]:
-        print(f"{name} on {row['blas']}")
+    for name, row in least.items():
+        if name != "ours":
+            print(f"{name} on {row['blas']}")
 
 
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("elements", nargs="*", default=["tet4", "tet10"])
+    parser.add_argument("bodies", nargs="*", default=["tet4", "tet10", "solid", "hollow"])
     parser.add_argument("--repeat", type=int, default=3, help="least time of so many runs")
     parser.add_argument("--release", action="store_true", help="our command built for release")
     parser.add_argument("--keep", metavar="DIR", help="keep the matrices there")
@@ -211,12 +244,12 @@ def main():
     parser.add_argument("--modes", type=int, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.peer:
-        peer(arguments.peer, arguments.keep, arguments.modes, arguments.repeat)
+        peer(arguments.peer, arguments.keep, arguments.modes)
         return
-    for element in arguments.elements:
+    for body in arguments.bodies:
         with tempfile.TemporaryDirectory() as temporary:
-            folder = os.path.join(arguments.keep or temporary, element)
-            compare(element, arguments.repeat, arguments.release, folder)
+            folder = os.path.join(arguments.keep or temporary, body)
+            compare(body, arguments.repeat, arguments.release, folder)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ mod converged;
 mod decay;
 mod heard;
 mod mesh;
+mod obj_tubes;
 mod recorded;
 mod retune;
 mod row;
@@ -24,6 +25,7 @@ use crate::bar::BarTuneError;
 use crate::factory::BuildError;
 use crate::revolution::{LAYERS, Wall, bowl};
 use crate::shape::Tube;
+use crate::solid::MeshError;
 use crate::solve::SolveError;
 use crate::tube::Fineness;
 use crate::{BankError, Material, Recipe, RecipeError, ShapeRecipe, TABLE_1, TuneError};
@@ -34,6 +36,9 @@ pub enum CheckError {
     /// An eigenproblem was not solved.
     #[error(transparent)]
     Solve(#[from] SolveError),
+    /// A surface gave no mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// A tube could not be tuned.
     #[error(transparent)]
     Tune(#[from] TuneError),
@@ -94,7 +99,7 @@ fn greater(worst: f64, figure: f64) -> f64 {
 type Group = fn() -> Result<Vec<Row>, CheckError>;
 
 /// The groups by name, in the order in which they are told.
-pub const GROUPS: [(&str, Group); 15] = [
+pub const GROUPS: [(&str, Group); 16] = [
     ("bending of a free tube", beam::rows),
     ("rings and shells", shells::rows),
     ("clamped bars and plates, hollow cubes", clamped::rows),
@@ -104,6 +109,7 @@ pub const GROUPS: [(&str, Group); 15] = [
     ("meshes", mesh::rows),
     ("linear tetrahedra", tetrahedra::rows),
     ("special paths", special::rows),
+    ("tubes out of OBJ files", obj_tubes::rows),
     ("vibraphone bars", vibraphone::rows),
     ("recordings", recorded::rows),
     ("what is heard", heard::rows),

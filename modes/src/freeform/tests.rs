@@ -7,6 +7,7 @@ mod grids;
 mod kits;
 mod lamb;
 mod made;
+mod tube;
 
 use super::{Limits, free_body};
 use crate::Material;

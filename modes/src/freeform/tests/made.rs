@@ -31,7 +31,7 @@ impl Drop for Folder {
 }
 
 /// Of the material of these tests.
-fn recipe(folder: &Path, body: &str, nodes: usize) -> FreeRecipe {
+pub(super) fn recipe(folder: &Path, body: &str, nodes: usize) -> FreeRecipe {
     let text = format!(
         "name = \"shape\"\n[keys]\nlow = 60\nhigh = 72\n[tuning]\nby = \"nothing\"\n\
          [body]\nshape = \"mesh\"\nfile = \"shape.obj\"\n{body}\n\
@@ -41,7 +41,7 @@ fn recipe(folder: &Path, body: &str, nodes: usize) -> FreeRecipe {
     FreeRecipe::parse(&text, "shape.toml", folder).unwrap()
 }
 
-fn hz(recipe: &FreeRecipe) -> Vec<f64> {
+pub(super) fn hz(recipe: &FreeRecipe) -> Vec<f64> {
     let made = make(recipe, &Silent).unwrap();
     assert_eq!(made.bank.check(), Ok(()));
     let modes = &made.bank.bodies[0].modes;
