@@ -47,6 +47,7 @@ fn body(
         pitch_hz: hz[0],
         length_m: 1.0,
         mass_kg: 1.0,
+        matter: None,
         line: StrikeLine {
             points_m: points
                 .clone()
