@@ -6,6 +6,7 @@ use crate::engine::{Engine, GRID, Hit, Hold, Limiter, OUTPUTS, Outputs, Room, Se
 use crate::workshop::Bench;
 use handover::Handover;
 use modes::Bank;
+use std::sync::Arc;
 
 /// Instruments before the present one that may ring at the same time.
 const RINGING: usize = 4;
@@ -36,6 +37,8 @@ pub(crate) struct Stage {
     holds: [Hold; 128],
     trims: Trims,
     handover: Handover,
+    /// Who makes instruments, if they are waited for.
+    bench: Option<Arc<Bench>>,
     rate_hz: f64,
 }
 
@@ -54,6 +57,7 @@ impl Stage {
             holds: [Hold::FREE; 128],
             trims: Trims::NONE,
             handover: Handover::default(),
+            bench: None,
             rate_hz,
         }
     }
@@ -76,7 +80,10 @@ impl Stage {
     ///
     /// What rang goes on ringing. If too much does, the instrument that has rung longest is silenced
     /// by hand, and the new one comes when it is still.
-    pub(crate) fn turn(&mut self, wanted: usize, bench: &Bench) {
+    pub(crate) fn turn(&mut self, wanted: usize, bench: &Arc<Bench>) {
+        if self.patient {
+            self.bench.get_or_insert_with(|| Arc::clone(bench));
+        }
         self.clear(bench);
         if wanted != self.wanted {
             self.wanted = wanted;
@@ -84,10 +91,18 @@ impl Stage {
                 bench.ask(wanted);
             }
         }
-        // An instrument first becomes one again before another comes.
-        if self.wanted == self.number || self.handover.is_fading() {
-            return;
+        if self.is_due() {
+            self.come(bench);
         }
+    }
+
+    /// Whether another instrument is to come now. The present one first becomes one again.
+    fn is_due(&self) -> bool {
+        self.wanted != self.number && !self.handover.is_fading()
+    }
+
+    /// Brings the wanted instrument on if the workshop has it and there is room.
+    fn come(&mut self, bench: &Bench) {
         let Some(slot) = self.ringing.iter().position(Option::is_none) else {
             if let Some(oldest) = &mut self.ringing[0] {
                 oldest.engine.choke_all();
@@ -96,7 +111,7 @@ impl Stage {
             return;
         };
         let ready = if self.patient {
-            let ready = bench.wait(wanted);
+            let ready = bench.wait(self.wanted);
             self.patient = ready.is_some();
             ready
         } else {
@@ -221,17 +236,31 @@ impl Stage {
         })
     }
 
-    /// Renders all samples of the outputs.
+    /// Renders all samples of the outputs. What is to happen to drawings on the way happens at samples that
+    /// do not depend on where blocks end.
     pub(crate) fn render(&mut self, out: &mut Outputs<'_>) {
         let frames = out.frames();
-        self.handover.pass(frames);
         self.tune_ahead(frames);
-        let until = self.until_handover().unwrap_or(frames).min(frames);
-        self.sound(&mut out.part(0..until));
-        if self.until_handover() == Some(0) {
-            self.hand_over();
+        let mut done = 0;
+        while done < frames {
+            let run = self.until_news().map_or(frames, |run| done + run);
+            let until = run.min(frames);
+            self.sound(&mut out.part(done..until));
+            self.handover.pass(until - done);
+            done = until;
+            if self.is_due()
+                && let Some(bench) = self.bench.clone()
+            {
+                self.come(&bench);
+                self.redraw();
+            }
+            if self.until_rest() == Some(0) {
+                self.rest();
+            }
+            if self.until_handover() == Some(0) {
+                self.hand_over();
+            }
         }
-        self.sound(&mut out.part(until..frames));
     }
 
     /// The same, with the instruments as they are.

@@ -154,9 +154,9 @@ impl Workshop {
 }
 
 impl Deref for Workshop {
-    type Target = Bench;
+    type Target = Arc<Bench>;
 
-    fn deref(&self) -> &Bench {
+    fn deref(&self) -> &Arc<Bench> {
         &self.bench
     }
 }

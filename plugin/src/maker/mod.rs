@@ -93,9 +93,9 @@ fn with_helpers(work: impl FnOnce() + Send) {
 }
 
 impl Deref for Maker {
-    type Target = Order;
+    type Target = Arc<Order>;
 
-    fn deref(&self) -> &Order {
+    fn deref(&self) -> &Arc<Order> {
         &self.order
     }
 }

@@ -171,7 +171,7 @@ fn small() -> (Stores, usize) {
 /// Renders as a host does offline, a drawing to each block; the sound, and the text of what sounds at last.
 fn bounced(drawings: &[Drawing]) -> (Vec<f32>, String) {
     let (stores, number) = small();
-    let bench = Bench::new(Arc::clone(&stores.shelf), RATE_HZ);
+    let bench = Arc::new(Bench::new(Arc::clone(&stores.shelf), RATE_HZ));
     let maker = Maker::open(stores.clone(), number, RATE_HZ);
     let mut stage = Stage::new(number, &stores.shelf.bank(number), RATE_HZ).patient();
     let mut sound = Vec::new();

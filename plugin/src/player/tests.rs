@@ -269,7 +269,7 @@ fn trims_reach_what_rings_and_instruments_that_come_later() {
         levels[..count].iter().filter(|level| **level > 0.0).count()
     };
     assert_eq!(sounding(&mut player), 1);
-    let bench = crate::workshop::Bench::new(Arc::default(), 48_000.0);
+    let bench = Arc::new(crate::workshop::Bench::new(Arc::default(), 48_000.0));
     for wanted in [1, 0] {
         player.stage().turn(wanted, &bench);
         bench.work();

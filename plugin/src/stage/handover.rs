@@ -7,6 +7,7 @@ use super::{GRID, Stage};
 use crate::engine::{Engine, Outputs, Room};
 use crate::maker::{Drawing, Order};
 use crate::workshop::{Bench, Ready};
+use std::sync::Arc;
 
 /// How long both sound, in s.
 const FADE_S: f64 = 0.01;
@@ -16,6 +17,9 @@ const AHEAD: usize = 4;
 /// Bodies that are tuned ahead at most: where parameters move all the time the last of them come with the
 /// handover.
 const MOST_AHEAD: usize = 256;
+/// Instruments that may have to go between two looks of the host: one that has faded out, one that another
+/// took the place of before it was heard, and one that this one fades out.
+const SPENT: usize = 3;
 /// How long a knob rests before what it is at is waited for in whole, in s.
 const REST_S: f64 = 0.1;
 
@@ -27,9 +31,15 @@ pub(super) struct Handover {
     ahead: usize,
     ready: bool,
     last: Option<Fading>,
+    /// What sounds no longer.
+    spent: [Option<Box<Engine>>; SPENT],
     /// The drawing that was waited for last, and frames since it came.
     drawing: Option<Drawing>,
     rested: usize,
+    /// Whether no more than drafts of it have been waited for.
+    rough: bool,
+    /// Who draws, if drawings are waited for.
+    order: Option<Arc<Order>>,
 }
 
 /// What fades out.
@@ -56,9 +66,31 @@ impl Handover {
     fn is_whole(&mut self, drawing: &Drawing, rate_hz: f64) -> bool {
         let last = self.drawing.replace(*drawing);
         if last.is_some_and(|last| last != *drawing) {
-            self.rested = 0;
+            (self.rested, self.rough) = (0, true);
         }
-        last.is_none() || self.rested as f64 >= REST_S * rate_hz
+        self.rough &= self.rested < rest(rate_hz);
+        !self.rough
+    }
+
+    /// Puts an instrument that sounds no longer aside; back, if there is no room.
+    fn spend(&mut self, engine: Box<Engine>) -> Result<(), Box<Engine>> {
+        match self.spent.iter_mut().find(|place| place.is_none()) {
+            Some(place) => {
+                *place = Some(engine);
+                Ok(())
+            }
+            None => Err(engine),
+        }
+    }
+
+    /// Puts the next aside, which was never heard; whether there was room.
+    fn forgo(&mut self) -> bool {
+        let Some((number, engine)) = self.next.take() else {
+            return true;
+        };
+        let left = self.spend(engine).err();
+        self.next = left.map(|engine| (number, engine));
+        self.next.is_none()
     }
 
     /// Cuts the fade short.
@@ -70,6 +102,9 @@ impl Handover {
 
     /// Hands over what has faded out, and what is no drawing of the instrument of that number.
     fn clear(&mut self, number: usize, discard: impl Fn(Box<Engine>) -> Result<(), Box<Engine>>) {
+        for place in &mut self.spent {
+            *place = place.take().and_then(|engine| discard(engine).err());
+        }
         if let Some(last) = self.last.take_if(|last| last.left == 0)
             && let Err(engine) = discard(last.engine)
         {
@@ -104,6 +139,16 @@ impl Handover {
     }
 }
 
+#[expect(clippy::cast_sign_loss, reason = "neither is less than nothing")]
+fn frames_in(time_s: f64, rate_hz: f64) -> usize {
+    (time_s * rate_hz).round() as usize
+}
+
+/// Frames that a knob rests before what it is at is waited for in whole.
+fn rest(rate_hz: f64) -> usize {
+    frames_in(REST_S, rate_hz)
+}
+
 impl Stage {
     /// The drawing that sounds, to be told from others.
     #[cfg(test)]
@@ -113,10 +158,10 @@ impl Stage {
 
     /// Wants the present instrument in a drawing, and takes what has come of that; does not allocate. A
     /// patient stage waits for it.
-    pub(crate) fn reshape(&mut self, drawing: &Drawing, order: &Order, bench: &Bench) {
-        order.pace(!self.patient || self.handover.is_whole(drawing, self.rate_hz));
-        order.want(self.number, drawing, self.present.engine.awake());
+    pub(crate) fn reshape(&mut self, drawing: &Drawing, order: &Arc<Order>, bench: &Bench) {
         let patient = self.patient;
+        order.pace(!patient || self.handover.is_whole(drawing, self.rate_hz));
+        order.want(self.number, drawing, self.present.engine.awake());
         self.handover.clear(self.number, |engine| {
             if patient {
                 bench.discard_surely(engine)
@@ -124,13 +169,13 @@ impl Stage {
                 bench.discard(engine)
             }
         });
-        if self.patient {
+        if patient {
+            let order = self.handover.order.get_or_insert_with(|| Arc::clone(order));
             self.patient = order.wait();
-        }
-        if self.handover.next.is_none() {
+            self.exchange();
+        } else if self.handover.next.is_none() {
             self.handover.next = order.fetch();
-            // Who waits has time to tune them all when they take over.
-            (self.handover.ahead, self.handover.ready) = (0, patient);
+            (self.handover.ahead, self.handover.ready) = (0, false);
         }
         // Before what the block strikes, which would keep it waiting.
         if self.until_handover() == Some(0) {
@@ -138,9 +183,63 @@ impl Stage {
         }
     }
 
+    /// Waits for the present instrument, which has just come, in the drawing that is wanted.
+    pub(super) fn redraw(&mut self) {
+        let Handover { order, drawing, .. } = &self.handover;
+        if let (Some(order), Some(drawing)) = (order, drawing) {
+            order.want(self.number, drawing, self.present.engine.awake());
+            self.patient = order.wait();
+            self.exchange();
+        }
+    }
+
+    /// Frames until what a knob has come to rest at is to be waited for in whole, if anybody waits.
+    pub(super) fn until_rest(&self) -> Option<usize> {
+        let left = rest(self.rate_hz).saturating_sub(self.handover.rested);
+        (self.patient && self.handover.rough).then_some(left)
+    }
+
+    /// Frames to the next sample, if one may come, at which something is to be done about drawings.
+    pub(super) fn until_news(&self) -> Option<usize> {
+        let look = self.handover.next.is_some().then(|| {
+            let until_grid = self.present.engine.until_grid();
+            if until_grid == 0 { GRID } else { until_grid }
+        });
+        let fade = self.handover.last.as_ref().filter(|last| last.left > 0);
+        let come = fade.filter(|_| self.patient && self.wanted != self.number);
+        let come = come.map(|last| last.left);
+        look.into_iter().chain(self.until_rest()).chain(come).min()
+    }
+
+    /// Waits for the whole of what is wanted.
+    pub(super) fn rest(&mut self) {
+        self.handover.rough = false;
+        if let Some(order) = &self.handover.order {
+            order.pace(true);
+            self.patient = order.wait();
+            self.exchange();
+        }
+    }
+
+    /// Takes the last that has been made, in place of any before it.
+    fn exchange(&mut self) {
+        let handover = &mut self.handover;
+        let Some(made) = handover.order.as_ref().and_then(|order| order.fetch()) else {
+            return;
+        };
+        if handover.forgo() {
+            handover.next = Some(made);
+            // Who waits has time to tune all bodies when they take over.
+            handover.ready = true;
+        }
+    }
+
     /// Tunes bodies of the new drawing ahead, as many as `frames` have time for.
     pub(super) fn tune_ahead(&mut self, frames: usize) {
         let handover = &mut self.handover;
+        if handover.ready {
+            return;
+        }
         let Some((_, engine)) = handover.next.as_mut().filter(|_| handover.last.is_none()) else {
             return;
         };
@@ -156,7 +255,8 @@ impl Stage {
     pub(super) fn until_handover(&self) -> Option<usize> {
         let handover = &self.handover;
         let ready = handover.ready
-            && handover.last.is_none()
+            && !handover.is_fading()
+            && (handover.last.is_none() || handover.spent.iter().any(Option::is_none))
             && matches!(&handover.next, Some((number, _)) if *number == self.number)
             && !self.present.engine.is_struck();
         ready.then(|| self.present.engine.until_grid())
@@ -167,10 +267,12 @@ impl Stage {
         let Some((_, mut engine)) = self.handover.next.take() else {
             return;
         };
+        let faded = self.handover.last.take();
+        // There is room, or it would not have been due.
+        let _ = faded.map_or(Ok(()), |last| self.handover.spend(last.engine));
         engine.set_trims(&self.trims);
         engine.inherit(&self.present.engine);
-        #[expect(clippy::cast_sign_loss, reason = "a rate is no less than nothing")]
-        let all = (FADE_S * self.rate_hz).round() as usize;
+        let all = frames_in(FADE_S, self.rate_hz);
         self.handover.last = Some(Fading {
             engine: std::mem::replace(&mut self.present.engine, engine),
             left: all,

@@ -24,7 +24,7 @@ fn step(signal: &[f32]) -> f32 {
 
 #[test]
 fn what_rings_rings_out_when_the_instrument_changes() {
-    let bench = Bench::new(Arc::default(), 48_000.0);
+    let bench = Arc::new(Bench::new(Arc::default(), 48_000.0));
     let (mut stage, mut twin) = (stage(0), stage(0));
     for stage in [&mut stage, &mut twin] {
         stage.hit(60, &Hit::plain(0.8));
@@ -49,7 +49,7 @@ fn what_rings_rings_out_when_the_instrument_changes() {
 
 #[test]
 fn all_instruments_together_stay_below_full_scale() {
-    let bench = Bench::new(Arc::default(), 48_000.0);
+    let bench = Arc::new(Bench::new(Arc::default(), 48_000.0));
     let loud = |limiter| {
         let mut stage = stage(0);
         stage.set(&Settings {
@@ -76,7 +76,7 @@ fn all_instruments_together_stay_below_full_scale() {
 
 #[test]
 fn a_bow_stays_on_the_instrument_that_it_was_laid_on() {
-    let bench = Bench::new(Arc::default(), 48_000.0);
+    let bench = Arc::new(Bench::new(Arc::default(), 48_000.0));
     let mut stage = stage(3);
     let pressed = Hold {
         bow_pressure: 1.0,
@@ -129,7 +129,7 @@ fn hasty_turns_sound_the_same_every_time() {
 
 #[test]
 fn a_change_of_mind_gets_the_last_wish_and_many_changes_wait_for_silence() {
-    let bench = Bench::new(Arc::default(), 48_000.0);
+    let bench = Arc::new(Bench::new(Arc::default(), 48_000.0));
     let mut stage = stage(0);
     stage.turn(1, &bench);
     bench.work();

@@ -41,7 +41,7 @@ impl Heard {
     }
 
     /// Renders a block. Whoever comes on is struck at once, others if it is time; whether anyone has been.
-    fn block(&mut self, turn: Option<(&Shelf, &Bench)>, due: bool) -> bool {
+    fn block(&mut self, turn: Option<(&Shelf, &Arc<Bench>)>, due: bool) -> bool {
         let (mut left, mut right) = (vec![0.0; BLOCK], vec![0.0; BLOCK]);
         let start = Instant::now();
         let struck = assert_no_alloc(|| {
