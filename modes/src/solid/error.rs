@@ -83,6 +83,16 @@ pub enum MeshError {
         /// A point of the rim, in the file's units.
         near: [f64; 3],
     },
+    /// Open all over.
+    #[error(
+        "the surface is open: {holes} holes, each of them small, make {:.0} % of it together; close them", 100.0 * share
+    )]
+    Torn {
+        /// How many holes.
+        holes: usize,
+        /// Their area over that of the surface with them.
+        share: f64,
+    },
     /// Encloses nothing.
     #[error(
         "the surface is flat: it encloses no volume; give the sheet a thickness (\"solidify\")"

@@ -9,6 +9,9 @@ use std::collections::HashMap;
 /// The largest share of the surface that a hole may have and be closed.
 const LARGEST: f64 = 0.25;
 
+/// The largest share that all of them may have together: a pipe open at both ends has less.
+const LARGEST_SUM: f64 = 0.5;
+
 /// A share below which a hole is a crack, closed without a word.
 const CRACK: f64 = 1e-9;
 
@@ -18,6 +21,7 @@ pub(super) fn close(work: &mut Work) -> Result<(), MeshError> {
         return Ok(());
     }
     let surface = work.area();
+    let (holes, mut closed) = (rims.len(), 0.0);
     let mut notes = Vec::new();
     for rim in rims {
         let lids = cut_polygon(&rim, &work.points);
@@ -30,10 +34,15 @@ pub(super) fn close(work: &mut Work) -> Result<(), MeshError> {
         if share > LARGEST {
             return Err(MeshError::Open { edges, share, near });
         }
+        closed += area;
         if share > CRACK {
             notes.push(Note::HoleClosed { edges, share, near });
         }
         work.triangles.extend(lids);
+    }
+    let share = closed / (surface + closed);
+    if share > LARGEST_SUM {
+        return Err(MeshError::Torn { holes, share });
     }
     work.notes.append(&mut notes);
     Ok(())

@@ -2,10 +2,12 @@
 
 mod broken;
 mod files;
+mod large;
 mod random;
 mod spoilt;
 
 use super::*;
+use crate::solid::{gallery, write_obj};
 use files::*;
 use std::time::Duration;
 
@@ -34,6 +36,10 @@ fn cases() -> Vec<(&'static str, Vec<u8>, Fate)> {
         (0..=255).cycle().take(9999).collect(),
         Refused("no faces"),
     ));
+    let (points, mut triangles) = gallery::sphere(0.5, 4).into_parts();
+    triangles.retain(|t| t[0] % 3 == 0);
+    let torn = write_obj(&Soup::single(points, triangles)).into_bytes();
+    cases.push(("torn", torn, Refused("holes, each of them small, make")));
     let mut ended = cube().into_bytes();
     ended.extend([0; 64]);
     cases.push(("zeros at the end", ended, Solid(1.0, ANY)));

@@ -6,10 +6,10 @@ use crate::solid::tests::nodes;
 use crate::solid::{Meshing, Repair, Soup, mesh_solid, parse_obj, repair};
 
 /// A generator of Marsaglia 2003, for bytes that no one would write.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
-    fn below(&mut self, most: usize) -> usize {
+    pub(super) fn below(&mut self, most: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
