@@ -6,7 +6,7 @@ use std::str::FromStr;
 use std::time::{Duration, Instant};
 
 /// Readers that share the time.
-const READERS: f64 = 5.0;
+const READERS: f64 = 7.0;
 
 fn number<T: FromStr<Err: Debug>>(name: &str, usual: T) -> T {
     let text = std::env::var(name).ok();

@@ -7,6 +7,8 @@
 
 mod bank;
 mod case;
+mod mesh;
 mod mutate;
+mod preset;
 mod state;
 mod text;
