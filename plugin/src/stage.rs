@@ -254,6 +254,9 @@ impl Stage {
                 self.come(&bench);
                 self.redraw();
             }
+            if self.until_next() == Some(0) {
+                self.next();
+            }
             if self.until_rest() == Some(0) {
                 self.rest();
             }

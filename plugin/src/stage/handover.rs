@@ -22,6 +22,9 @@ const MOST_AHEAD: usize = 256;
 const SPENT: usize = 3;
 /// How long a knob rests before what it is at is waited for in whole, in s.
 const REST_S: f64 = 0.1;
+/// How long a drawing that was waited for sounds before another is, in s: more than a listener would get.
+const PACE_S: f64 = 0.05;
+const _: () = assert!(PACE_S < REST_S);
 
 /// A new drawing on its way in, and an old one on its way out.
 #[derive(Default)]
@@ -33,8 +36,11 @@ pub(super) struct Handover {
     last: Option<Fading>,
     /// What sounds no longer.
     spent: [Option<Box<Engine>>; SPENT],
-    /// The drawing that was waited for last, and frames since it came.
+    /// The drawing that was waited for last, and frames since then.
     drawing: Option<Drawing>,
+    sounded: usize,
+    /// The last that was asked for, and frames since then.
+    asked: Option<Drawing>,
     rested: usize,
     /// Whether no more than drafts of it have been waited for.
     rough: bool,
@@ -58,18 +64,36 @@ impl Handover {
 
     /// Counts frames that are rendered.
     pub(super) fn pass(&mut self, frames: usize) {
-        self.rested = self.rested.saturating_add(frames);
+        for count in [&mut self.rested, &mut self.sounded] {
+            *count = count.saturating_add(frames);
+        }
     }
 
-    /// Whether a drawing is to be waited for in whole: where a knob has come to rest, and at first. Of what
-    /// it passes on the way drafts must do: rendering a turning knob would take hours otherwise.
-    fn is_whole(&mut self, drawing: &Drawing, rate_hz: f64) -> bool {
-        let last = self.drawing.replace(*drawing);
-        if last.is_some_and(|last| last != *drawing) {
-            (self.rested, self.rough) = (0, true);
+    /// Takes note of the drawing that is asked for; the one to wait for now. A knob's are not waited for in
+    /// whole before it comes to rest, but at first, nor all of them: rendering one that turns would take hours
+    /// otherwise.
+    fn follow(&mut self, asked: &Drawing, rate_hz: f64) -> Drawing {
+        if self.asked.replace(*asked) != Some(*asked) {
+            (self.rested, self.rough) = (0, self.drawing.is_some());
         }
-        self.rough &= self.rested < rest(rate_hz);
-        !self.rough
+        self.rough &= self.rested < frames_in(REST_S, rate_hz);
+        match self.drawing {
+            Some(drawing) if self.until_next(rate_hz).is_some_and(|left| left > 0) => drawing,
+            _ => self.accept(asked),
+        }
+    }
+
+    fn accept(&mut self, asked: &Drawing) -> Drawing {
+        if self.drawing.replace(*asked) != Some(*asked) {
+            self.sounded = 0;
+        }
+        *asked
+    }
+
+    /// Frames until the drawing that is asked for is to be waited for, if it is not the last that was.
+    fn until_next(&self, rate_hz: f64) -> Option<usize> {
+        let left = frames_in(PACE_S, rate_hz).saturating_sub(self.sounded);
+        (self.asked != self.drawing).then_some(left)
     }
 
     /// Puts an instrument that sounds no longer aside; back, if there is no room.
@@ -144,11 +168,6 @@ fn frames_in(time_s: f64, rate_hz: f64) -> usize {
     (time_s * rate_hz).round() as usize
 }
 
-/// Frames that a knob rests before what it is at is waited for in whole.
-fn rest(rate_hz: f64) -> usize {
-    frames_in(REST_S, rate_hz)
-}
-
 impl Stage {
     /// The drawing that sounds, to be told from others.
     #[cfg(test)]
@@ -160,8 +179,13 @@ impl Stage {
     /// patient stage waits for it.
     pub(crate) fn reshape(&mut self, drawing: &Drawing, order: &Arc<Order>, bench: &Bench) {
         let patient = self.patient;
-        order.pace(!patient || self.handover.is_whole(drawing, self.rate_hz));
-        order.want(self.number, drawing, self.present.engine.awake());
+        let drawing = if patient {
+            self.handover.follow(drawing, self.rate_hz)
+        } else {
+            *drawing
+        };
+        order.pace(!patient || !self.handover.rough);
+        order.want(self.number, &drawing, self.present.engine.awake());
         self.handover.clear(self.number, |engine| {
             if patient {
                 bench.discard_surely(engine)
@@ -195,7 +219,7 @@ impl Stage {
 
     /// Frames until what a knob has come to rest at is to be waited for in whole, if anybody waits.
     pub(super) fn until_rest(&self) -> Option<usize> {
-        let left = rest(self.rate_hz).saturating_sub(self.handover.rested);
+        let left = frames_in(REST_S, self.rate_hz).saturating_sub(self.handover.rested);
         (self.patient && self.handover.rough).then_some(left)
     }
 
@@ -208,7 +232,22 @@ impl Stage {
         let fade = self.handover.last.as_ref().filter(|last| last.left > 0);
         let come = fade.filter(|_| self.patient && self.wanted != self.number);
         let come = come.map(|last| last.left);
-        look.into_iter().chain(self.until_rest()).chain(come).min()
+        let knob = self.until_rest().into_iter().chain(self.until_next());
+        look.into_iter().chain(knob).chain(come).min()
+    }
+
+    /// Frames until what a turning knob is at is to be waited for, if anybody waits.
+    pub(super) fn until_next(&self) -> Option<usize> {
+        let left = self.handover.until_next(self.rate_hz);
+        left.filter(|_| self.patient)
+    }
+
+    /// Waits for what a turning knob is at.
+    pub(super) fn next(&mut self) {
+        if let Some(asked) = self.handover.asked {
+            self.handover.accept(&asked);
+            self.redraw();
+        }
     }
 
     /// Waits for the whole of what is wanted.

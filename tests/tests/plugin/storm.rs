@@ -48,6 +48,8 @@ fn a_storm_of_events_leaves_the_sound_finite() {
     for (layout, outputs, events) in [("Stereo", 1, 30_000), ("8 x stereo", 8, 10_000)] {
         let mut plugin = plugin().unwrap();
         plugin.lay_out(layout).unwrap();
+        // Each of some thousand shapes would be waited for.
+        plugin.go_live().unwrap();
         plugin.activate(RATE as f64, 512).unwrap();
         let params = plugin.params();
         let loudest = plugin

@@ -47,6 +47,19 @@ impl Plugin {
         })
     }
 
+    /// Plays as for somebody who listens: from when it is next activated, the plug-in may not take its time.
+    ///
+    /// # Errors
+    ///
+    /// If the plug-in refuses.
+    pub fn go_live(&mut self) -> Result<()> {
+        let handle = self.instance.plugin_handle();
+        if let Some(render) = handle.get_extension::<PluginRender>() {
+            render.set(&handle, RenderMode::Realtime)?;
+        }
+        Ok(())
+    }
+
     /// The plug-in's parameters, in its own order.
     pub fn params(&mut self) -> Vec<Param> {
         let Some(params) = self.params else {
