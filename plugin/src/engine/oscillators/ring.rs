@@ -59,16 +59,11 @@ impl Ring<'_> {
         // What was tuned last is nearest in the cache.
         for range in self.ranges.iter().rev() {
             for packs in self.packs[range.clone()].chunks_mut(TOGETHER) {
-                // All states before the first leap, which reads wider than they are written: the
-                // processor would have to wait until they are in the cache.
                 for (hops, pack) in self.hops.iter_mut().zip(&mut *packs) {
-                    hops.0[0] = [single(&pack.x), single(&pack.y)];
+                    leap(s, pack, hops);
                     if self.advance {
                         turn(s, pack);
                     }
-                }
-                for (hops, pack) in self.hops.iter_mut().zip(&*packs) {
-                    leap(s, pack, hops);
                 }
                 let mut sums = [[[s.splat_f32s(0.0); V]; SUMS]; HOPS];
                 for (hops, pack) in self.hops.iter().zip(&*packs) {
@@ -147,9 +142,10 @@ fn one<S: Simd, const V: usize, const SUMS: usize>(
     }
 }
 
-/// The states at each hop after the first.
+/// The states at each hop.
 #[inline(always)]
 fn leap<S: Simd>(s: S, pack: &Pack, hops: &mut Hops) {
+    hops.0[0] = [single(&pack.x), single(&pack.y)];
     let (re, im) = (
         S::as_simd_f32s(&pack.hop_re).0,
         S::as_simd_f32s(&pack.hop_im).0,

@@ -15,6 +15,9 @@ const STALE: f32 = 1e-5;
 const LIGHT: f32 = 0.3;
 const STRAIGHT: f32 = 1e-4;
 
+// A hop, doubled twice, is a cell.
+const _: () = assert!(GRID == 4 * HOP);
+
 /// A task for a kernel: steps for what drains the modes now, and, if the pitch has moved, at `ratio`
 /// times their frequency.
 pub(crate) struct Tune<'a> {
@@ -67,10 +70,10 @@ impl WithSimd for Tune<'_> {
                 heavy::steps(tone, self.step_s, pack);
                 continue;
             }
-            steps(s, tone, step_s, pack);
+            let lost = steps(s, tone, step_s, pack);
             if tables_too {
                 tone.made_for = tone.decay;
-                tables(s, tone, &Lost::of(s, tone, step_s), pack);
+                tables(s, tone, &lost, pack);
             }
         }
     }
@@ -97,10 +100,10 @@ impl<V: Copy> Extremes<V> {
     #[inline(always)]
     fn see<S: Simd<f32s = V>>(&mut self, s: S, decay: V, inverse: V, made_for: V) {
         let square = s.mul_f32s(s.mul_f32s(decay, decay), inverse);
-        let moved = s.abs_f32s(s.sub_f32s(decay, made_for));
+        let (more, less) = (s.sub_f32s(decay, made_for), s.sub_f32s(made_for, decay));
         self.decay = s.max_f32s(self.decay, decay);
         self.shifted = s.max_f32s(self.shifted, square);
-        self.moved = s.max_f32s(self.moved, moved);
+        self.moved = s.max_f32s(self.moved, s.max_f32s(more, less));
     }
 
     /// Of one pack whose decay rates are known.
@@ -167,6 +170,16 @@ fn decay<S: Simd>(s: S, tone: &mut Tone, drain: &Drain, all: &mut Extremes<S::f3
     }
 }
 
+/// x times the polynomial with these terms, the highest first.
+#[inline(always)]
+fn series<S: Simd, const N: usize>(s: S, x: S::f32s, terms: [f32; N]) -> S::f32s {
+    let mut sum = s.splat_f32s(0.0);
+    for term in terms {
+        sum = s.mul_add_e_f32s(x, sum, s.splat_f32s(term));
+    }
+    s.mul_f32s(x, sum)
+}
+
 /// What each mode loses in a sample: x = −dT, and −t with t = (ω − Ω)T.
 #[repr(C, align(64))]
 struct Lost {
@@ -174,49 +187,14 @@ struct Lost {
     turn: [f32; LANES],
 }
 
-impl Lost {
-    #[inline(always)]
-    fn of<S: Simd>(s: S, tone: &Tone, step_s: f32) -> Self {
-        let mut lost = Self {
-            x: [0.0; LANES],
-            turn: [0.0; LANES],
-        };
-        let decays = S::as_simd_f32s(&tone.decay).0;
-        let inverse = S::as_simd_f32s(&tone.inverse).0;
-        for v in 0..decays.len() {
-            let [x, turn] = in_sample(s, decays[v], inverse[v], step_s);
-            S::as_mut_simd_f32s(&mut lost.x).0[v] = x;
-            S::as_mut_simd_f32s(&mut lost.turn).0[v] = turn;
-        }
-        lost
-    }
-}
-
-/// −dT, and −t with t = q²ωT/2 + …, q = d/ω.
-#[inline(always)]
-fn in_sample<S: Simd>(s: S, decay: S::f32s, inverse: S::f32s, step_s: f32) -> [S::f32s; 2] {
-    let shifted = s.mul_f32s(s.mul_f32s(decay, decay), inverse);
-    let square = s.mul_f32s(shifted, inverse);
-    // (1 − √(1 − q²)) over q²/2.
-    let [terms @ .., one] = [5.0 / 64.0, 1.0 / 8.0, 0.25, 1.0].map(|term| s.splat_f32s(term));
-    let [third, second, first] = terms;
-    let high = s.mul_add_e_f32s(square, third, second);
-    let low = s.mul_add_e_f32s(square, first, one);
-    let more = s.mul_add_e_f32s(s.mul_f32s(square, square), high, low);
-    let half = s.mul_f32s(shifted, s.splat_f32s(-0.5 * step_s));
-    [
-        s.mul_f32s(decay, s.splat_f32s(-step_s)),
-        s.mul_f32s(half, more),
-    ]
-}
-
 /// Steps over a hop and a cell of modes that lose less than a third in a cell and whose frequency damping
-/// hardly shifts: exp(kx − ikt) − 1.
-///
-/// Sums of powers are added up in pairs, and neither step waits for the other: what takes time here is
-/// one operation waiting for the last.
+/// hardly shifts: exp(kx − ikt) − 1, with q = d/ω and t = q²ωT/2 + ….
 #[inline(always)]
-fn steps<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) {
+fn steps<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) -> Lost {
+    let mut lost = Lost {
+        x: [0.0; LANES],
+        turn: [0.0; LANES],
+    };
     let mut cell = [[0.0; LANES]; 2];
     let decays = S::as_simd_f32s(&tone.decay).0;
     let inverse = S::as_simd_f32s(&tone.inverse).0;
@@ -225,44 +203,53 @@ fn steps<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) {
         S::as_simd_f32s(&tone.hop[1]).0,
     );
     for v in 0..decays.len() {
-        let [x, turn] = in_sample(s, decays[v], inverse[v], step_s);
-        let [a, b] = over(s, HOP, x, turn);
+        let x = s.mul_f32s(decays[v], s.splat_f32s(-step_s));
+        let q = s.mul_f32s(decays[v], inverse[v]);
+        let square = s.mul_f32s(q, q);
+        // (1 − √(1 − q²)) over q²/2.
+        let more = s.mul_add_e_f32s(square, s.splat_f32s(5.0 / 64.0), s.splat_f32s(1.0 / 8.0));
+        let more = s.mul_add_e_f32s(square, more, s.splat_f32s(0.25));
+        let more = s.mul_add_e_f32s(square, more, s.splat_f32s(1.0));
+        let turn = s.mul_f32s(s.mul_f32s(x, q), s.mul_f32s(more, s.splat_f32s(0.5)));
+        S::as_mut_simd_f32s(&mut lost.x).0[v] = x;
+        S::as_mut_simd_f32s(&mut lost.turn).0[v] = turn;
+        let [a, b] = over_hop(s, x, turn);
         S::as_mut_simd_f32s(&mut pack.hop_re).0[v] =
             s.negate_mul_add_e_f32s(im[v], b, s.mul_add_e_f32s(re[v], a, re[v]));
         S::as_mut_simd_f32s(&mut pack.hop_im).0[v] =
             s.mul_add_e_f32s(re[v], b, s.mul_add_e_f32s(im[v], a, im[v]));
-        let [a, b] = over(s, GRID, x, turn);
+        let [a, b] = double(s, double(s, [a, b]));
         S::as_mut_simd_f32s(&mut cell[0]).0[v] = a;
         S::as_mut_simd_f32s(&mut cell[1]).0[v] = b;
     }
     put_cell(s, tone, pack, &cell);
+    lost
 }
 
-/// exp(kx + i k·turn) − 1 over k samples.
+/// exp(kx + i k·turn) − 1 for the k = 8 samples of a hop.
 #[inline(always)]
-fn over<S: Simd>(s: S, samples: usize, x: S::f32s, turn: S::f32s) -> [S::f32s; 2] {
-    let samples = s.splat_f32s(samples as f32);
-    let lost = grown(s, s.mul_f32s(x, samples));
+fn over_hop<S: Simd>(s: S, x: S::f32s, turn: S::f32s) -> [S::f32s; 2] {
+    let samples = s.splat_f32s(HOP as f32);
+    let x = s.mul_f32s(x, samples);
+    let lost = series(s, x, [1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0]);
     let turn = s.mul_f32s(turn, samples);
-    let half = s.mul_f32s(turn, s.mul_f32s(turn, s.splat_f32s(-0.5)));
+    let half = s.mul_f32s(turn, s.splat_f32s(-0.5));
     [
-        s.mul_add_e_f32s(half, lost, s.add_f32s(half, lost)),
+        s.mul_add_e_f32s(turn, half, lost),
         s.mul_add_e_f32s(turn, lost, turn),
     ]
 }
 
-/// exp(x) − 1, for x within ±[`LIGHT`] to the last digit of f32: the series to x⁷.
+/// e^(2z) − 1 from e^z − 1.
 #[inline(always)]
-fn grown<S: Simd>(s: S, x: S::f32s) -> S::f32s {
-    let term = |inverse: f32| s.splat_f32s(1.0 / inverse);
-    let square = s.mul_f32s(x, x);
-    let fourth = s.mul_f32s(square, square);
-    let first = s.mul_add_e_f32s(x, term(2.0), term(1.0));
-    let third = s.mul_add_e_f32s(x, term(24.0), term(6.0));
-    let fifth = s.mul_add_e_f32s(x, term(720.0), term(120.0));
-    let low = s.mul_add_e_f32s(square, third, first);
-    let high = s.mul_add_e_f32s(square, term(5040.0), fifth);
-    s.mul_f32s(x, s.mul_add_e_f32s(fourth, high, low))
+fn double<S: Simd>(s: S, [a, b]: [S::f32s; 2]) -> [S::f32s; 2] {
+    let two = s.splat_f32s(2.0);
+    let square = s.mul_add_e_f32s(a, a, s.mul_f32s(a, two));
+    let twice = s.mul_f32s(b, two);
+    [
+        s.negate_mul_add_e_f32s(b, b, square),
+        s.mul_add_e_f32s(twice, a, twice),
+    ]
 }
 
 /// The number of each sample of a hop, for both ears.
@@ -293,7 +280,11 @@ fn tables<S: Simd>(s: S, tone: &Tone, lost: &Lost, pack: &mut Pack) {
         let [to_x, to_y] = &mut heard.0;
         let (to_x, to_y) = (S::as_mut_simd_f32s(to_x).0, S::as_mut_simd_f32s(to_y).0);
         for v in 0..numbers.len() {
-            let a = grown(s, s.mul_f32s(x, numbers[v]));
+            let a = series(
+                s,
+                s.mul_f32s(x, numbers[v]),
+                [1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0],
+            );
             let turn = s.mul_f32s(turn, numbers[v]);
             let b = s.mul_add_e_f32s(turn, a, turn);
             let (x, y) = (of_x[v], of_y[v]);
