@@ -1,11 +1,13 @@
 //! The instrument that is struck, and those before it that still ring.
 
 mod handover;
+mod patience;
 
 use crate::engine::{Engine, GRID, Hit, Hold, Limiter, OUTPUTS, Outputs, Room, Settings, Trims};
 use crate::workshop::Bench;
 use handover::Handover;
 use modes::Bank;
+use patience::Patience;
 use std::sync::Arc;
 
 /// Instruments before the present one that may ring at the same time.
@@ -37,6 +39,7 @@ pub(crate) struct Stage {
     holds: [Hold; 128],
     trims: Trims,
     handover: Handover,
+    patience: Patience,
     /// Who makes instruments, if they are waited for.
     bench: Option<Arc<Bench>>,
     rate_hz: f64,
@@ -57,6 +60,7 @@ impl Stage {
             holds: [Hold::FREE; 128],
             trims: Trims::NONE,
             handover: Handover::default(),
+            patience: Patience::default(),
             bench: None,
             rate_hz,
         }
@@ -246,7 +250,7 @@ impl Stage {
             let run = self.until_news().map_or(frames, |run| done + run);
             let until = run.min(frames);
             self.sound(&mut out.part(done..until));
-            self.handover.pass(until - done);
+            self.patience.pass(until - done);
             done = until;
             if self.is_due()
                 && let Some(bench) = self.bench.clone()
@@ -254,12 +258,7 @@ impl Stage {
                 self.come(&bench);
                 self.redraw();
             }
-            if self.until_next() == Some(0) {
-                self.next();
-            }
-            if self.until_rest() == Some(0) {
-                self.rest();
-            }
+            self.wait();
             if self.until_handover() == Some(0) {
                 self.hand_over();
             }

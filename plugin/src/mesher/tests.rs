@@ -40,6 +40,28 @@ fn places(folder: Option<&Path>) -> Places {
     }
 }
 
+/// A folder with a star's mesh in it, and where its banks would go.
+struct Bed {
+    _folder: tempfile::TempDir,
+    file: PathBuf,
+    banks: PathBuf,
+    places: Places,
+}
+
+/// A star of so many units across.
+fn bed(radius: f64) -> Bed {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("star.obj");
+    fs::write(&file, write_obj(&gallery::star(5, radius, 0.2 * radius))).unwrap();
+    let banks = folder.path().join("Banks");
+    Bed {
+        places: places(Some(&banks)),
+        _folder: folder,
+        file,
+        banks,
+    }
+}
+
 /// How it stands when no thread is at work.
 fn rest(mesher: &Mesher) -> State {
     let start = Instant::now();
@@ -52,11 +74,12 @@ fn rest(mesher: &Mesher) -> State {
 
 #[test]
 fn a_star_is_looked_into_built_kept_and_played() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("star.obj");
-    fs::write(&file, write_obj(&gallery::star(5, 100.0, 20.0))).unwrap();
-    let banks = folder.path().join("Banks");
-    let places = places(Some(&banks));
+    let Bed {
+        file,
+        banks,
+        places,
+        ..
+    } = &bed(100.0);
     let mut mesher = Mesher::default();
     mesher.look(file.clone(), || ());
     let facts = rest(&mesher).facts.unwrap();
@@ -64,9 +87,9 @@ fn a_star_is_looked_into_built_kept_and_played() {
     assert!((longest - 190.2).abs() < 10.0, "{longest}");
     assert!((guessed_size_m(longest) - 1e-3 * longest).abs() < 1e-12);
     for _ in 0..2 {
-        let mut order = order(&[&file]);
+        let mut order = order(&[file]);
         order.pieces[0].size_m = Some(if banks.exists() { 0.3 } else { 0.2 });
-        mesher.build(order, Quality::Preview, &places, || ());
+        mesher.build(order, Quality::Preview, places, || ());
         assert_eq!(rest(&mesher).phase, Phase::Done);
         assert!(places.library.arrived());
     }
@@ -118,18 +141,19 @@ fn a_kit_is_built_and_its_notes_say_of_which_mesh() {
 
 #[test]
 fn what_is_given_up_leaves_nothing() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("star.obj");
-    fs::write(&file, write_obj(&gallery::star(5, 0.1, 0.02))).unwrap();
-    let banks = folder.path().join("Banks");
-    let places = places(Some(&banks));
+    let Bed {
+        file,
+        banks,
+        places,
+        ..
+    } = &bed(0.1);
     let mut mesher = Mesher::default();
-    mesher.build(order(&[&file]), Quality::Full, &places, || ());
+    mesher.build(order(&[file]), Quality::Full, places, || ());
     mesher.cancel();
     assert_eq!(rest(&mesher).phase, Phase::Cancelled);
     assert!(places.shelf.own().is_none() && !banks.exists());
     // The window closes in the midst of it.
-    mesher.build(order(&[&file]), Quality::Full, &places, || ());
+    mesher.build(order(&[file]), Quality::Full, places, || ());
     drop(mesher);
     assert!(!banks.exists());
     assert_eq!(Arc::strong_count(&places.shelf), 1, "no thread is left");
@@ -137,13 +161,14 @@ fn what_is_given_up_leaves_nothing() {
 
 #[test]
 fn a_preview_whose_full_quality_is_given_up_plays_on_and_says_so() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("star.obj");
-    fs::write(&file, write_obj(&gallery::star(5, 0.1, 0.02))).unwrap();
-    let banks = folder.path().join("Banks");
-    let places = places(Some(&banks));
+    let Bed {
+        file,
+        banks,
+        places,
+        ..
+    } = &bed(0.1);
     let mut mesher = Mesher::default();
-    mesher.build(order(&[&file]), Quality::Full, &places, || ());
+    mesher.build(order(&[file]), Quality::Full, places, || ());
     let start = Instant::now();
     while mesher.state().phase != Phase::Full {
         assert!(start.elapsed() < Duration::from_secs(120));
@@ -160,8 +185,8 @@ fn a_preview_whose_full_quality_is_given_up_plays_on_and_says_so() {
     let Some(Cure::Finish(again)) = cure else {
         panic!("{cure:?}");
     };
-    assert_eq!(*again, order(&[&file]));
-    mesher.build(*again, Quality::Preview, &places, || ());
+    assert_eq!(*again, order(&[file]));
+    mesher.build(*again, Quality::Preview, places, || ());
     assert_eq!(places.notices.first(), None);
     assert_eq!(rest(&mesher).phase, Phase::Done);
     assert_eq!(places.notices.first(), None);

@@ -27,6 +27,15 @@ fn open(bench: &Bench, path: &Path) {
     bench.ui.borrow_mut().instruments().open(path.to_path_buf());
 }
 
+/// An editor with a file on the sheet.
+fn sheet<'a>(bench: &'a Bench, file: &Path) -> Harness<'a> {
+    let mut harness = bench.harness();
+    open(bench, file);
+    let name = file.file_name().unwrap().to_str().unwrap();
+    wait(&mut harness, &format!("{name}: "));
+    harness
+}
+
 fn click(harness: &mut Harness<'_>, label: &str) {
     harness.get_by_label(label).click();
     harness.run_steps(3);
@@ -76,9 +85,7 @@ fn a_mesh_of_the_folder_is_built_listed_and_plays() {
 fn a_build_that_is_cancelled_leaves_what_plays() {
     let bench = Bench::new("chimes");
     let (folder, file) = give(&bench);
-    let mut harness = bench.harness();
-    open(&bench, &file);
-    wait(&mut harness, "star.obj: ");
+    let mut harness = sheet(&bench, &file);
     click(&mut harness, "Build");
     click(&mut harness, "Cancel");
     wait(&mut harness, "Given up");
@@ -90,9 +97,7 @@ fn a_build_that_is_cancelled_leaves_what_plays() {
 fn a_preview_plays_on_when_full_quality_is_given_up_until_one_goes_on() {
     let bench = Bench::new("chimes");
     let (folder, file) = give(&bench);
-    let mut harness = bench.harness();
-    open(&bench, &file);
-    wait(&mut harness, "star.obj: ");
+    let mut harness = sheet(&bench, &file);
     click(&mut harness, "Build");
     wait(&mut harness, "The preview sounds");
     click(&mut harness, "Cancel");
@@ -158,9 +163,7 @@ fn two_meshes_of_two_materials_share_the_keys() {
     let bench = Bench::new("chimes");
     let (folder, file) = give(&bench);
     let [ball, _] = give_more(&folder);
-    let mut harness = bench.harness();
-    open(&bench, &file);
-    wait(&mut harness, "star.obj: ");
+    let mut harness = sheet(&bench, &file);
     add(&mut harness, &bench, &ball);
     click(&mut harness, "Material");
     click(&mut harness, "glass");
@@ -196,9 +199,7 @@ fn objects_of_one_file_become_drums() {
     let bench = Bench::new("chimes");
     let (folder, _) = give(&bench);
     let [_, boxes] = give_more(&folder);
-    let mut harness = bench.harness();
-    open(&bench, &boxes);
-    wait(&mut harness, "boxes.obj: ");
+    let mut harness = sheet(&bench, &boxes);
     click(&mut harness, "3 objects, 3 bodies");
     click(&mut harness, "Preview");
     click(&mut harness, "Build");
@@ -228,9 +229,7 @@ fn bodies_that_would_share_a_key_are_refused_with_the_cure() {
     let bench = Bench::new("chimes");
     let (folder, file) = give(&bench);
     let [ball, _] = give_more(&folder);
-    let mut harness = bench.harness();
-    open(&bench, &file);
-    wait(&mut harness, "star.obj: ");
+    let mut harness = sheet(&bench, &file);
     add(&mut harness, &bench, &ball);
     harness.get_by_label("Lowest key").set_value_accesskit(50.0);
     harness.run_steps(3);
@@ -243,9 +242,7 @@ fn the_sheet_of_a_kit_looks_so() {
     let bench = Bench::new("chimes");
     let (folder, file) = give(&bench);
     let [ball, boxes] = give_more(&folder);
-    let mut harness = bench.harness();
-    open(&bench, &file);
-    wait(&mut harness, "star.obj: ");
+    let mut harness = sheet(&bench, &file);
     add(&mut harness, &bench, &ball);
     add(&mut harness, &bench, &boxes);
     drop(harness);
@@ -256,9 +253,7 @@ fn the_sheet_of_a_kit_looks_so() {
 fn the_sheet_looks_so() {
     let bench = Bench::new("chimes");
     let (_folder, file) = give(&bench);
-    let mut harness = bench.harness();
-    open(&bench, &file);
-    wait(&mut harness, "star.obj: ");
+    let harness = sheet(&bench, &file);
     drop(harness);
     check("mesh-sheet", &draw(&bench, USUAL, 1.0, None));
 }
