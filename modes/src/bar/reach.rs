@@ -47,8 +47,9 @@ pub(super) struct Reached {
     pub(super) cents: [f64; 3],
 }
 
-/// A bar of `stock` as near to its partials as the search comes within `goal` cents, from the logarithms `x` on; on a
-/// coarse grid first; none that stays on the grid that it is sought on.
+/// A bar of `stock` as near to its partials as the search comes within `goal` cents, from the logarithms
+/// `x` on; on a coarse grid first. None if there it is not within them, or if no bar stays on the grid that
+/// it is sought on.
 pub(super) fn reach(
     stock: &BarStock,
     material: &Material,

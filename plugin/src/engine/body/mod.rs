@@ -68,8 +68,8 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// From a bank's body and what it is made of, with its modes at `first` among the packs of the instrument; `scale` takes
-    /// Pa to full scale.
+    /// From a bank's body and what it is made of, with its modes at `first` among the packs of the
+    /// instrument; `scale` takes Pa to full scale.
     pub(crate) fn new((body, matter): (&modes::Body, &Matter), scale: f64, first: usize) -> Self {
         let modes = reached(body);
         let packs = modes.len().div_ceil(LANES);
