@@ -2,7 +2,7 @@
 
 use super::kit::Kit;
 use crate::key_name::key_name;
-use egui::{Button, TextEdit, Ui, vec2};
+use egui::{Atom, Button, TextEdit, Ui, vec2};
 use std::path::PathBuf;
 
 /// What comes onto the sheet next.
@@ -62,7 +62,7 @@ fn list(ui: &mut Ui, kit: &mut Kit) {
         };
         ui.horizontal(|ui| {
             let text = format!("{keys}  {}", piece.title());
-            let line = Button::selectable(number == kit.at, text)
+            let line = Button::selectable(number == kit.at, (text, Atom::grow()))
                 .truncate()
                 .min_size(vec2(270.0, 20.0));
             if ui.add(line).clicked() {

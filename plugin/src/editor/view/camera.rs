@@ -10,6 +10,8 @@ const STEEPEST: f32 = 1.5;
 const EYE: f32 = 5.0;
 /// Share of the panel that a body fills.
 const FILL: f32 = 0.92;
+/// Share of it that the nearest corner may reach over, so that it stays inside when it moves.
+const WHOLE: f32 = 0.95;
 /// Least and greatest zoom.
 const ZOOM: [f32; 2] = [0.5, 12.0];
 /// Turn in rad for a point of drag.
@@ -98,13 +100,25 @@ impl Camera {
         let half = [0, 1, 2].map(|k| 0.5 * (high[k] - low[k]));
         let radius_m = dot(half, half).sqrt().max(1e-6);
         let [wide, high] = reach.map(|[low, high]| (high - low).max(1e-6));
-        let fit = (area.width() / wide).min(area.height() / high);
-        Lens {
-            axes,
+        let fit = |wide: f32, high: f32| (area.width() / wide).min(area.height() / high);
+        let lens = Lens {
+            axes: first,
             centre_m,
             radius_m,
-            scale: FILL * self.zoom * fit,
+            scale: 1.0,
+            middle: Pos2::ZERO,
+        };
+        // What is near looks larger, and may reach beyond the body's own width.
+        let near = solid.points_m.iter().map(|point| lens.place(*point).0);
+        let near = near.fold([1e-6f32; 2], |most, at| {
+            [most[0].max(at.x.abs()), most[1].max(at.y.abs())]
+        });
+        let whole = fit(2.0 * near[0], 2.0 * near[1]);
+        Lens {
+            axes,
+            scale: self.zoom * (FILL * fit(wide, high)).min(WHOLE * whole),
             middle: area.center(),
+            ..lens
         }
     }
 }
