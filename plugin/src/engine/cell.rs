@@ -2,7 +2,7 @@
 
 use super::GRID;
 use super::body::{Body, Moved};
-use super::oscillators::{Buses, Hops, Kernel, LANES, Pack, SILENT, TOGETHER};
+use super::oscillators::{Buses, Kernel, LANES, Pack, Room, SILENT};
 use std::ops::Range;
 
 /// The sum of all bodies of an output that nothing pushes, over one cell.
@@ -22,7 +22,7 @@ pub(super) struct Cell {
 
 /// What the cells of all outputs need while they are worked on.
 pub(super) struct Bench {
-    hops: Box<[Hops; TOGETHER]>,
+    room: Box<Room>,
     /// State of a body while its rest of a cell is taken out.
     kept: Vec<[[f64; LANES]; 2]>,
 }
@@ -31,7 +31,7 @@ impl Bench {
     /// For an instrument of so many packs of modes.
     pub(super) fn new(packs: usize) -> Self {
         Self {
-            hops: Box::new(Hops::ROOM),
+            room: Room::new(),
             kept: vec![[[0.0; LANES]; 2]; packs],
         }
     }
@@ -85,18 +85,18 @@ impl Cell {
     /// Renders what has left.
     pub(super) fn ring_left(&mut self, kernel: Kernel, bench: &mut Bench, packs: &mut [Pack]) {
         if !self.old.is_empty() {
-            kernel.ring(packs, &self.old, false, &mut bench.hops, &mut self.left);
+            kernel.ring(packs, &self.old, false, &mut bench.room, &mut self.left);
         }
     }
 
     /// Renders what has entered, and moves it on.
     pub(super) fn ring_entered(&mut self, kernel: Kernel, bench: &mut Bench, packs: &mut [Pack]) {
-        kernel.ring(packs, &self.same, true, &mut bench.hops, &mut self.mix);
+        kernel.ring(packs, &self.same, true, &mut bench.room, &mut self.mix);
         if self.new.is_empty() && self.old.is_empty() {
             return;
         }
         let mut entered = SILENT;
-        kernel.ring(packs, &self.new, true, &mut bench.hops, &mut entered);
+        kernel.ring(packs, &self.new, true, &mut bench.room, &mut entered);
         for (mix, (left, entered)) in self.mix.iter_mut().zip(self.left.iter().zip(&entered)) {
             for (n, mix) in mix.iter_mut().enumerate() {
                 *mix += left[n] + (entered[n] - left[n]) * (n as f64 / GRID as f64);

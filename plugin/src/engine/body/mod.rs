@@ -79,7 +79,8 @@ impl Body {
         let mut normal = vec![0.0; points * packs * LANES];
         for (i, mode) in modes.iter().enumerate() {
             let (pack, lane) = (i / LANES, i % LANES);
-            tones[pack].omega[lane] = std::f64::consts::TAU * mode.hz;
+            // Lanes without a mode go with the last one, lest they ask for points of their own.
+            tones[pack].omega[lane..].fill(std::f64::consts::TAU * mode.hz);
             for (rates, rate) in tones[pack].rates.iter_mut().zip(mode.air) {
                 rates[lane] = rate;
             }

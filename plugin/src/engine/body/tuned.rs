@@ -83,7 +83,8 @@ impl Body {
             tones: &mut self.tones[..count],
             packs: &mut packs[self.place.clone()][..count],
             drain: tuned.drain,
-            ratio: pitch.then_some(tuned.ratio),
+            ratio: tuned.ratio,
+            pitch,
             gains: moved > 0,
             causes: trimmed
                 || self

@@ -23,12 +23,14 @@ fn both(p: Less, q: Less) -> Less {
     )
 }
 
-/// Writes all that `pack` needs of modes that decay as `tone` says, sampled every `step_s`; those with
+/// Writes all that `pack` needs of modes that decay as `tone` says and are heard at every sample, one
+/// `step_s` after the other; those with
 /// Ω < ω/10, and those above half the sample rate, for which the series do not hold, are silenced.
 ///
 /// exp((−d − i(ω−Ω))T) − 1 is a short series of an eighth of the exponent, doubled thrice.
 #[inline(always)]
 pub(super) fn steps(tone: &Tone, step_s: f64, pack: &mut Pack) {
+    pack.points = tone.points;
     for i in 0..LANES {
         let (omega, decay) = (f64::from(tone.played[i]), f64::from(tone.decay[i]));
         let square = (omega - decay) * (omega + decay);

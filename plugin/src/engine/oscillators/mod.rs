@@ -1,9 +1,11 @@
 //! Damped complex oscillators: one multiplication per mode and step (O'Brien 2002, §3.4).
 
+mod between;
 mod drive;
 mod heavy;
 mod pack;
 mod plain;
+mod points;
 mod ring;
 #[cfg(test)]
 mod tests;
@@ -14,7 +16,7 @@ use super::GRID;
 pub(crate) use drive::{Drive, Step, TuneSteps};
 pub(crate) use pack::{LANES, Pack};
 use pulp::{Arch, WithSimd};
-pub(crate) use ring::{Hops, TOGETHER};
+pub(crate) use ring::Room;
 use std::ops::Range;
 pub(crate) use tone::{CAUSES, Tone, turned};
 pub(crate) use tune::Tune;
@@ -77,14 +79,14 @@ impl Kernel {
         packs: &mut [Pack],
         ranges: &[Range<usize>],
         advance: bool,
-        hops: &mut [Hops; TOGETHER],
+        room: &mut Room,
         out: &mut Buses,
     ) {
         self.wide.dispatch(ring::Ring {
             packs,
             ranges,
             advance,
-            hops,
+            room,
             out,
         });
     }

@@ -11,8 +11,8 @@ pub(crate) const HOP: usize = 8;
 /// Steps of the state in a cell of the grid.
 pub(super) const HOPS: usize = GRID / HOP;
 
-/// What the samples of a hop hear of a mode's x at its first (half 0), and of its y (half 1): left, then
-/// right.
+/// What the points of a cell's first hop hear of a mode's x at the cell's start (half 0), and of its y (half
+/// 1): left, then right.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Heard(pub(super) [[f32; 2 * HOP]; 2]);
@@ -39,10 +39,14 @@ pub(crate) struct Pack {
     pub(crate) cell_re: [f64; LANES],
     /// Imaginary part of it.
     pub(crate) cell_im: [f64; LANES],
-    /// Real part of w to the power of [`HOP`].
+    /// Real part of w to the power of a hop's samples.
     pub(super) hop_re: [f32; LANES],
     /// Imaginary part of it.
     pub(super) hop_im: [f32; LANES],
+    /// At which of [`POINTS`] it is heard.
+    ///
+    /// [`POINTS`]: super::points::POINTS
+    pub(super) points: usize,
     /// What is heard of each mode.
     pub(super) heard: [Heard; LANES],
 }
@@ -56,6 +60,7 @@ impl Pack {
         cell_im: [0.0; LANES],
         hop_re: [0.0; LANES],
         hop_im: [0.0; LANES],
+        points: 0,
         heard: [Heard::NONE; LANES],
     };
 

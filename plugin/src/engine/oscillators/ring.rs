@@ -1,50 +1,65 @@
-//! Modes that ring freely, in vectors: samples across lanes, one mode after the other.
+//! Modes that ring freely, in vectors: points of a cell across lanes, one mode after the other.
 //!
 //! Over a hop the sound of a mode is x times one table and y times another; what is kept in registers is
-//! the sound of a whole cell, and nothing is ever summed across lanes.
+//! the sound at all points of a cell, and nothing is ever summed across lanes.
 
+use super::Buses;
+use super::between::{Between, NO_SUMS, Sums, rows};
 use super::pack::{HOP, HOPS, Heard, LANES, Pack};
-use super::{Buses, GRID};
+use super::points::{ALL, KINDS};
 use pulp::{Simd, WithSimd};
 use std::ops::Range;
 
 /// Packs whose sound is summed in single floats, before it is added to the rest in doubles.
-pub(crate) const TOGETHER: usize = 16;
+const TOGETHER: usize = 16;
 
 /// One cell of all packs in `ranges`.
 pub(super) struct Ring<'a> {
     pub(super) packs: &'a mut [Pack],
     pub(super) ranges: &'a [Range<usize>],
     pub(super) advance: bool,
-    pub(super) hops: &'a mut [Hops; TOGETHER],
+    pub(super) room: &'a mut Room,
     pub(super) out: &'a mut Buses,
 }
 
 /// States of sixteen modes at the first sample of each hop of a cell, x and y.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub(crate) struct Hops([[[f32; LANES]; 2]; HOPS]);
+struct Hops([[[f32; LANES]; 2]; HOPS]);
 
-impl Hops {
-    /// Room for the packs that are summed together.
-    pub(crate) const ROOM: [Self; TOGETHER] = [Self([[[0.0; LANES]; 2]; HOPS]); TOGETHER];
+/// What the kernel works with.
+pub(crate) struct Room {
+    hops: [Hops; TOGETHER],
+    pub(super) sums: Sums,
+    pub(super) between: Between,
 }
 
-/// The sound of a cell hop by hop: left, then right.
+impl Room {
+    /// Some microseconds' work and some kilobytes.
+    pub(crate) fn new() -> Box<Self> {
+        Box::new(Self {
+            hops: [Hops([[[0.0; LANES]; 2]; HOPS]); TOGETHER],
+            sums: NO_SUMS,
+            between: Between::new(),
+        })
+    }
+}
+
+/// Sound in single floats hop by hop: left, then right.
 #[repr(C, align(64))]
-pub(super) struct Sound(pub(super) [[f32; 2 * HOP]; HOPS]);
+struct Sound<const H: usize>([[f32; 2 * HOP]; H]);
 
 impl WithSimd for Ring<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, s: S) {
-        // Vectors of a hop's sound; where one holds it all, x and y get sums of their own, lest one
-        // wait for the other.
+        // Vectors of a hop's sound, and sums for one, two and four hops: as many as it takes for none to
+        // wait for another, and as registers hold.
         match S::F32_LANES {
-            16 => self.sing::<S, 1, 2>(s),
-            8 => self.sing::<S, 2, 1>(s),
-            4 => self.sing::<S, 4, 1>(s),
+            16 => self.sing::<S, 1, 8, 4, 2>(s),
+            8 => self.sing::<S, 2, 4, 2, 1>(s),
+            4 => self.sing::<S, 4, 2, 1, 1>(s),
             _ => super::plain::ring(self),
         }
     }
@@ -52,115 +67,165 @@ impl WithSimd for Ring<'_> {
 
 impl Ring<'_> {
     #[inline(always)]
-    fn sing<S: Simd, const V: usize, const SUMS: usize>(self, s: S) {
-        for bus in self.out.iter_mut() {
-            *bus = [0.0; GRID];
-        }
+    fn sing<S: Simd, const V: usize, const A: usize, const B: usize, const C: usize>(self, s: S) {
+        let Room {
+            hops,
+            sums,
+            between,
+        } = self.room;
+        *sums = NO_SUMS;
+        let mut used = [false; KINDS];
         // What was tuned last is nearest in the cache.
         for range in self.ranges.iter().rev() {
             for packs in self.packs[range.clone()].chunks_mut(TOGETHER) {
-                for (hops, pack) in self.hops.iter_mut().zip(&mut *packs) {
-                    leap(s, pack, hops);
+                if packs.iter().all(|pack| pack.points == ALL) {
+                    for (hops, pack) in hops.iter_mut().zip(&mut *packs) {
+                        leap::<S, HOPS>(s, pack, hops);
+                        if self.advance {
+                            turn(s, pack);
+                        }
+                    }
+                    add::<S, V, C, HOPS>(s, packs, hops, (None, rows::<HOPS>(sums, ALL)));
+                    continue;
+                }
+                let mut present = [false; KINDS];
+                for (hops, pack) in hops.iter_mut().zip(&mut *packs) {
+                    match pack.points {
+                        0 => leap::<S, 1>(s, pack, hops),
+                        1 => leap::<S, 2>(s, pack, hops),
+                        _ => leap::<S, HOPS>(s, pack, hops),
+                    }
+                    present[pack.points.min(ALL)] = true;
                     if self.advance {
                         turn(s, pack);
                     }
                 }
-                let mut sums = [[[s.splat_f32s(0.0); V]; SUMS]; HOPS];
-                for (hops, pack) in self.hops.iter().zip(&*packs) {
-                    add::<S, V, SUMS>(s, pack, hops, &mut sums);
+                for (used, present) in used.iter_mut().zip(present) {
+                    *used |= present;
                 }
-                let mut sound = Sound([[0.0; 2 * HOP]; HOPS]);
-                for (hop, sums) in sound.0.iter_mut().zip(&sums) {
-                    for (v, to) in S::as_mut_simd_f32s(hop).0.iter_mut().enumerate() {
-                        *to = sums[0][v];
-                        for more in &sums[1..] {
-                            *to = s.add_f32s(*to, more[v]);
-                        }
-                    }
+                if present[0] {
+                    add::<S, V, A, 1>(s, packs, hops, (Some(0), rows::<1>(sums, 0)));
                 }
-                sound.add_to(self.out);
+                if present[1] {
+                    add::<S, V, B, 2>(s, packs, hops, (Some(1), rows::<2>(sums, 1)));
+                }
+                if present[ALL] {
+                    add::<S, V, C, HOPS>(s, packs, hops, (Some(ALL), rows::<HOPS>(sums, ALL)));
+                }
             }
         }
+        between.fill(s, (sums, used), self.out);
     }
 }
 
-impl Sound {
-    /// Adds it to both buses.
-    #[inline(always)]
-    pub(super) fn add_to(&self, out: &mut Buses) {
-        let [left, right] = out;
-        for (hop, sound) in self.0.iter().enumerate() {
-            for k in 0..HOP {
-                left[hop * HOP + k] += f64::from(sound[k]);
-                right[hop * HOP + k] += f64::from(sound[HOP + k]);
-            }
-        }
-    }
-}
-
-/// Adds the sound of a pack over a cell.
+/// Adds the sound of the packs that are heard at points of a kind, or of all if they all are, in `H` hops.
 #[inline(always)]
-fn add<S: Simd, const V: usize, const SUMS: usize>(
+fn add<S: Simd, const V: usize, const SUMS: usize, const H: usize>(
+    s: S,
+    packs: &[Pack],
+    hops: &[Hops; TOGETHER],
+    (kind, sums): (Option<usize>, &mut [[f64; 2 * HOP]]),
+) {
+    let mut all = [[[s.splat_f32s(0.0); V]; SUMS]; H];
+    for (pack, hops) in packs.iter().zip(hops) {
+        if kind.is_none_or(|kind| pack.points == kind) {
+            add_pack(s, pack, hops, &mut all);
+        }
+    }
+    let mut sound = Sound([[0.0; 2 * HOP]; H]);
+    for (hop, all) in sound.0.iter_mut().zip(&all) {
+        for (v, to) in S::as_mut_simd_f32s(hop).0.iter_mut().enumerate() {
+            *to = all[0][v];
+            for more in &all[1..] {
+                *to = s.add_f32s(*to, more[v]);
+            }
+        }
+    }
+    // In one row, lest the compiler gather columns.
+    let sums = sums.as_flattened_mut().iter_mut();
+    for (sum, sound) in sums.zip(sound.0.as_flattened()) {
+        *sum += f64::from(*sound);
+    }
+}
+
+/// Adds the sound of a pack at its points.
+#[inline(always)]
+fn add_pack<S: Simd, const V: usize, const SUMS: usize, const H: usize>(
     s: S,
     pack: &Pack,
     hops: &Hops,
-    sums: &mut [[[S::f32s; V]; SUMS]; HOPS],
+    sums: &mut [[[S::f32s; V]; SUMS]; H],
 ) {
     let mut all = *sums;
     // Written out, because the compiler would count to eight for every eight modes.
     for (number, heard) in pack.heard.as_chunks::<8>().0.iter().enumerate() {
         let [a, b, c, d, e, f, g, h] = heard;
         let i = 8 * number;
-        one::<S, V, SUMS>(s, a, (hops, i), &mut all);
-        one::<S, V, SUMS>(s, b, (hops, i + 1), &mut all);
-        one::<S, V, SUMS>(s, c, (hops, i + 2), &mut all);
-        one::<S, V, SUMS>(s, d, (hops, i + 3), &mut all);
-        one::<S, V, SUMS>(s, e, (hops, i + 4), &mut all);
-        one::<S, V, SUMS>(s, f, (hops, i + 5), &mut all);
-        one::<S, V, SUMS>(s, g, (hops, i + 6), &mut all);
-        one::<S, V, SUMS>(s, h, (hops, i + 7), &mut all);
+        one::<S, V, SUMS, H, 0>(s, a, (hops, i), &mut all);
+        one::<S, V, SUMS, H, 1>(s, b, (hops, i + 1), &mut all);
+        one::<S, V, SUMS, H, 2>(s, c, (hops, i + 2), &mut all);
+        one::<S, V, SUMS, H, 3>(s, d, (hops, i + 3), &mut all);
+        one::<S, V, SUMS, H, 0>(s, e, (hops, i + 4), &mut all);
+        one::<S, V, SUMS, H, 1>(s, f, (hops, i + 5), &mut all);
+        one::<S, V, SUMS, H, 2>(s, g, (hops, i + 6), &mut all);
+        one::<S, V, SUMS, H, 3>(s, h, (hops, i + 7), &mut all);
     }
     *sums = all;
 }
 
-/// Adds the sound of mode `i`.
+/// Adds the sound of mode `i`, to sums in turn.
 #[inline(always)]
-fn one<S: Simd, const V: usize, const SUMS: usize>(
+fn one<S: Simd, const V: usize, const SUMS: usize, const H: usize, const TURN: usize>(
     s: S,
     heard: &Heard,
     (hops, i): (&Hops, usize),
-    all: &mut [[[S::f32s; V]; SUMS]; HOPS],
+    all: &mut [[[S::f32s; V]; SUMS]; H],
 ) {
     let of_x = S::as_simd_f32s(&heard.0[0]).0;
     let of_y = S::as_simd_f32s(&heard.0[1]).0;
+    let (to_x, to_y) = (2 * TURN % SUMS, (2 * TURN + 1) % SUMS);
     for (sums, [x, y]) in all.iter_mut().zip(&hops.0) {
         let (x, y) = (s.splat_f32s(x[i]), s.splat_f32s(y[i]));
         for v in 0..V {
-            sums[0][v] = s.mul_add_e_f32s(x, of_x[v], sums[0][v]);
-            sums[SUMS - 1][v] = s.mul_add_e_f32s(y, of_y[v], sums[SUMS - 1][v]);
+            sums[to_x][v] = s.mul_add_e_f32s(x, of_x[v], sums[to_x][v]);
+            sums[to_y][v] = s.mul_add_e_f32s(y, of_y[v], sums[to_y][v]);
         }
     }
 }
 
 /// The states at each hop.
 #[inline(always)]
-fn leap<S: Simd>(s: S, pack: &Pack, hops: &mut Hops) {
-    hops.0[0] = [single(&pack.x), single(&pack.y)];
-    let (re, im) = (
-        S::as_simd_f32s(&pack.hop_re).0,
-        S::as_simd_f32s(&pack.hop_im).0,
-    );
-    for hop in 1..HOPS {
-        let (before, after) = hops.0.split_at_mut(hop);
-        let ([x, y], [next_x, next_y]) = (&before[hop - 1], &mut after[0]);
-        let (x, y) = (S::as_simd_f32s(x).0, S::as_simd_f32s(y).0);
-        let next_x = S::as_mut_simd_f32s(next_x).0;
-        let next_y = S::as_mut_simd_f32s(next_y).0;
-        for v in 0..x.len() {
-            next_x[v] = s.negate_mul_add_e_f32s(y[v], im[v], s.mul_f32s(x[v], re[v]));
-            next_y[v] = s.mul_add_e_f32s(y[v], re[v], s.mul_f32s(x[v], im[v]));
+fn leap<S: Simd, const H: usize>(s: S, pack: &Pack, hops: &mut Hops) {
+    let re = S::as_simd_f32s(&pack.hop_re).0;
+    let im = S::as_simd_f32s(&pack.hop_im).0;
+    for v in 0..re.len() {
+        // A vector at a time, lest it be put away in pieces and wait for them to be read back.
+        let mut x = vector::<S>(&pack.x, v);
+        let mut y = vector::<S>(&pack.y, v);
+        let (re, im) = (re[v], im[v]);
+        for (hop, [to_x, to_y]) in hops.0[..H].iter_mut().enumerate() {
+            if hop > 0 {
+                let next = s.negate_mul_add_e_f32s(y, im, s.mul_f32s(x, re));
+                y = s.mul_add_e_f32s(y, re, s.mul_f32s(x, im));
+                x = next;
+            }
+            S::as_mut_simd_f32s(to_x).0[v] = x;
+            S::as_mut_simd_f32s(to_y).0[v] = y;
         }
     }
+}
+
+/// Vector `v` of `values` in single floats.
+#[inline(always)]
+fn vector<S: Simd>(values: &[f64; LANES], v: usize) -> S::f32s {
+    let mut singles = [0.0; LANES];
+    for (single, value) in singles[..S::F32_LANES]
+        .iter_mut()
+        .zip(&values[v * S::F32_LANES..])
+    {
+        *single = *value as f32;
+    }
+    S::as_simd_f32s(&singles).0[0]
 }
 
 /// f64 to f32. What f32 has no full digits for is stopped before long: see [`FLOOR`].

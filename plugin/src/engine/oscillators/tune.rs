@@ -3,6 +3,7 @@
 use super::GRID;
 use super::heavy;
 use super::pack::{HOP, LANES, Pack};
+use super::points::{ALL, KINDS, POINTS};
 use super::tone::Tone;
 use crate::engine::losses::Drain;
 use pulp::{Simd, WithSimd};
@@ -11,20 +12,24 @@ use pulp::{Simd, WithSimd};
 /// time in them: −100 dB of the mode. What a mode has lost by the next hop is always exact.
 const STALE: f32 = 1e-5;
 
-/// Greatest loss over a cell, and greatest d²T/ω, for which short series do.
-const LIGHT: f32 = 0.3;
+/// Greatest loss up to the farthest of a hop's points, and greatest d²T/ω, for which short series do.
+const LIGHT: f32 = 0.065;
 const STRAIGHT: f32 = 1e-4;
+
+/// How far the points of a hop reach that are samples.
+const NEAR: f32 = (HOP - 1) as f32;
 
 // A hop, doubled twice, is a cell.
 const _: () = assert!(GRID == 4 * HOP);
 
-/// A task for a kernel: steps for what drains the modes now, and, if the pitch has moved, at `ratio`
-/// times their frequency.
+/// A task for a kernel: steps for what drains the modes now, at `ratio` times their frequency.
 pub(crate) struct Tune<'a> {
     pub(crate) tones: &'a mut [Tone],
     pub(crate) packs: &'a mut [Pack],
     pub(crate) drain: Drain,
-    pub(crate) ratio: Option<f64>,
+    pub(crate) ratio: f64,
+    /// Whether that has moved.
+    pub(crate) pitch: bool,
     /// Whether gains have moved.
     pub(crate) gains: bool,
     /// Whether the shares of the causes outside the material have moved.
@@ -41,16 +46,11 @@ impl WithSimd for Tune<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, s: S) {
-        let anew = self.gains || self.ratio.is_some();
-        let zero = s.splat_f32s(0.0);
-        let mut all = Extremes {
-            decay: zero,
-            shifted: zero,
-            moved: zero,
-        };
+        let anew = self.gains || self.pitch;
+        let mut all = Extremes::none(s);
         for tone in &mut *self.tones {
-            if let Some(ratio) = self.ratio {
-                tone.pitch(ratio, self.step_s);
+            if self.pitch {
+                tone.pitch(self.ratio, self.step_s);
             }
             if anew {
                 tone.hear();
@@ -62,10 +62,21 @@ impl WithSimd for Tune<'_> {
         }
         let step_s = self.step_s as f32;
         let kind = all.kind(s, step_s);
-        let tables_too = anew || self.exact || kind.stale;
+        let mut tables_too = anew || self.exact || kind.stale;
+        for tone in &mut *self.tones {
+            if kind.heavy || tone.every_sample {
+                let heavy = kind.heavy && Extremes::of(s, tone, tone.reach).kind(s, step_s).heavy;
+                if heavy != tone.every_sample {
+                    tone.every_sample = heavy;
+                    tone.pitch(self.ratio, self.step_s);
+                    tone.hear();
+                    tables_too = true;
+                }
+            }
+        }
         *self.off |= !tables_too && kind.moved;
         for (tone, pack) in self.tones.iter_mut().zip(self.packs) {
-            if kind.heavy && Extremes::of(s, tone).kind(s, step_s).heavy {
+            if tone.every_sample && Extremes::of(s, tone, NEAR).kind(s, step_s).heavy {
                 tone.made_for = tone.decay;
                 heavy::steps(tone, self.step_s, pack);
                 continue;
@@ -79,7 +90,8 @@ impl WithSimd for Tune<'_> {
     }
 }
 
-/// The greatest of all modes, lane by lane: d, d²/ω, and how far d is off what the tables are made for.
+/// The greatest of all modes, lane by lane: d and how far it is off what the tables are made for, both
+/// times the farthest of a hop's points, and d²/ω.
 struct Extremes<V> {
     decay: V,
     shifted: V,
@@ -96,42 +108,50 @@ struct Kind {
 }
 
 impl<V: Copy> Extremes<V> {
-    /// Takes in a vector of modes that decay at `decay`, for 1/ω and the rates that tables are made for.
+    /// Of no modes.
     #[inline(always)]
-    fn see<S: Simd<f32s = V>>(&mut self, s: S, decay: V, inverse: V, made_for: V) {
-        let square = s.mul_f32s(s.mul_f32s(decay, decay), inverse);
-        let (more, less) = (s.sub_f32s(decay, made_for), s.sub_f32s(made_for, decay));
-        self.decay = s.max_f32s(self.decay, decay);
-        self.shifted = s.max_f32s(self.shifted, square);
-        self.moved = s.max_f32s(self.moved, s.max_f32s(more, less));
-    }
-
-    /// Of one pack whose decay rates are known.
-    #[inline(always)]
-    fn of<S: Simd<f32s = V>>(s: S, tone: &Tone) -> Self {
+    fn none<S: Simd<f32s = V>>(s: S) -> Self {
         let zero = s.splat_f32s(0.0);
-        let mut all = Self {
+        Self {
             decay: zero,
             shifted: zero,
             moved: zero,
-        };
+        }
+    }
+
+    /// Takes in a vector of modes that decay at `decay`, for 1/ω and the rates that tables are made for,
+    /// which `reach` as many samples.
+    #[inline(always)]
+    fn see<S: Simd<f32s = V>>(&mut self, s: S, decay: V, (inverse, made_for, reach): (V, V, V)) {
+        let square = s.mul_f32s(s.mul_f32s(decay, decay), inverse);
+        let moved = s.abs_f32s(s.sub_f32s(decay, made_for));
+        self.decay = s.max_f32s(self.decay, s.mul_f32s(decay, reach));
+        self.shifted = s.max_f32s(self.shifted, square);
+        self.moved = s.max_f32s(self.moved, s.mul_f32s(moved, reach));
+    }
+
+    /// Of one pack whose decay rates are known, in a hop whose points reach so many samples.
+    #[inline(always)]
+    fn of<S: Simd<f32s = V>>(s: S, tone: &Tone, reach: f32) -> Self {
+        let mut all = Self::none(s);
         let decays = S::as_simd_f32s(&tone.decay).0;
         let inverse = S::as_simd_f32s(&tone.inverse).0;
         let made_for = S::as_simd_f32s(&tone.made_for).0;
+        let reach = s.splat_f32s(reach);
         for v in 0..decays.len() {
-            all.see(s, decays[v], inverse[v], made_for[v]);
+            all.see(s, decays[v], (inverse[v], made_for[v], reach));
         }
         all
     }
 
     #[inline(always)]
     fn kind<S: Simd<f32s = V>>(&self, s: S, step_s: f32) -> Kind {
-        let light = s.reduce_max_f32s(self.decay) * step_s * (GRID as f32) < LIGHT
+        let light = s.reduce_max_f32s(self.decay) * step_s < LIGHT
             && s.reduce_max_f32s(self.shifted) * step_s < STRAIGHT;
         let moved = s.reduce_max_f32s(self.moved);
         Kind {
             heavy: !light,
-            stale: moved * step_s * (HOP - 1) as f32 > STALE,
+            stale: moved * step_s > STALE,
             moved: moved > 0.0,
         }
     }
@@ -162,11 +182,12 @@ fn decay<S: Simd>(s: S, tone: &mut Tone, drain: &Drain, all: &mut Extremes<S::f3
     let inverse = S::as_simd_f32s(&tone.inverse).0;
     let outside = S::as_simd_f32s(&tone.outside).0;
     let made_for = S::as_simd_f32s(&tone.made_for).0;
+    let reach = s.splat_f32s(tone.reach);
     let decays = S::as_mut_simd_f32s(&mut tone.decay).0;
     for (v, decay) in decays.iter_mut().enumerate() {
         let sum = s.mul_add_e_f32s(alpha1, omega[v], loss);
         *decay = s.mul_add_e_f32s(sum, omega[v], s.add_f32s(even, outside[v]));
-        all.see(s, *decay, inverse[v], made_for[v]);
+        all.see(s, *decay, (inverse[v], made_for[v], reach));
     }
 }
 
@@ -196,6 +217,7 @@ fn steps<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) -> Lost {
         turn: [0.0; LANES],
     };
     let mut cell = [[0.0; LANES]; 2];
+    let samples = s.splat_f32s((POINTS[tone.points].apart * HOP as f64) as f32);
     let decays = S::as_simd_f32s(&tone.decay).0;
     let inverse = S::as_simd_f32s(&tone.inverse).0;
     let (re, im) = (
@@ -213,12 +235,17 @@ fn steps<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) -> Lost {
         let turn = s.mul_f32s(s.mul_f32s(x, q), s.mul_f32s(more, s.splat_f32s(0.5)));
         S::as_mut_simd_f32s(&mut lost.x).0[v] = x;
         S::as_mut_simd_f32s(&mut lost.turn).0[v] = turn;
-        let [a, b] = over_hop(s, x, turn);
+        let eight = over(s, x, turn, s.splat_f32s(HOP as f32));
+        let [a, b] = if tone.points == ALL {
+            eight
+        } else {
+            over(s, x, turn, samples)
+        };
         S::as_mut_simd_f32s(&mut pack.hop_re).0[v] =
             s.negate_mul_add_e_f32s(im[v], b, s.mul_add_e_f32s(re[v], a, re[v]));
         S::as_mut_simd_f32s(&mut pack.hop_im).0[v] =
             s.mul_add_e_f32s(re[v], b, s.mul_add_e_f32s(im[v], a, im[v]));
-        let [a, b] = double(s, double(s, [a, b]));
+        let [a, b] = double(s, double(s, eight));
         S::as_mut_simd_f32s(&mut cell[0]).0[v] = a;
         S::as_mut_simd_f32s(&mut cell[1]).0[v] = b;
     }
@@ -226,10 +253,9 @@ fn steps<S: Simd>(s: S, tone: &Tone, step_s: f32, pack: &mut Pack) -> Lost {
     lost
 }
 
-/// exp(kx + i k·turn) − 1 for the k = 8 samples of a hop.
+/// exp(kx + i k·turn) − 1 for as many samples.
 #[inline(always)]
-fn over_hop<S: Simd>(s: S, x: S::f32s, turn: S::f32s) -> [S::f32s; 2] {
-    let samples = s.splat_f32s(HOP as f32);
+fn over<S: Simd>(s: S, x: S::f32s, turn: S::f32s, samples: S::f32s) -> [S::f32s; 2] {
     let x = s.mul_f32s(x, samples);
     let lost = series(s, x, [1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0]);
     let turn = s.mul_f32s(turn, samples);
@@ -252,25 +278,31 @@ fn double<S: Simd>(s: S, [a, b]: [S::f32s; 2]) -> [S::f32s; 2] {
     ]
 }
 
-/// The number of each sample of a hop, for both ears.
+/// When each point of the first hop is, in samples, for both ears.
 #[repr(C, align(64))]
-struct Numbers([f32; 2 * HOP]);
+struct Times([f32; 2 * HOP]);
 
-const NUMBERS: Numbers = {
-    let mut numbers = [0.0; 2 * HOP];
-    let mut k = 0;
-    while k < 2 * HOP {
-        numbers[k] = (k % HOP) as f32;
-        k += 1;
+const TIMES: [Times; KINDS] = {
+    let mut times = [const { Times([0.0; 2 * HOP]) }; KINDS];
+    let mut kind = 0;
+    while kind < KINDS {
+        let mut k = 0;
+        while k < 2 * HOP {
+            let points = &POINTS[kind];
+            times[kind].0[k] = (points.first() + points.apart * (k % HOP) as f64) as f32;
+            k += 1;
+        }
+        kind += 1;
     }
-    Numbers(numbers)
+    times
 };
 
-/// What each sample of a hop hears of the modes: what it would hear undamped, times (1 + a + ib). The real
+/// What each point of a hop hears of the modes: what it would hear undamped, times (1 + a + ib). The real
 /// part of what z becomes is heard as x was, its imaginary part as y was.
 #[inline(always)]
 fn tables<S: Simd>(s: S, tone: &Tone, lost: &Lost, pack: &mut Pack) {
-    let numbers = S::as_simd_f32s(&NUMBERS.0).0;
+    pack.points = tone.points;
+    let times = S::as_simd_f32s(&TIMES[tone.points].0).0;
     for (i, (heard, undamped)) in pack.heard.iter_mut().zip(&tone.undamped).enumerate() {
         let (x, turn) = (s.splat_f32s(lost.x[i]), s.splat_f32s(lost.turn[i]));
         let (of_x, of_y) = (
@@ -279,13 +311,13 @@ fn tables<S: Simd>(s: S, tone: &Tone, lost: &Lost, pack: &mut Pack) {
         );
         let [to_x, to_y] = &mut heard.0;
         let (to_x, to_y) = (S::as_mut_simd_f32s(to_x).0, S::as_mut_simd_f32s(to_y).0);
-        for v in 0..numbers.len() {
+        for v in 0..times.len() {
             let a = series(
                 s,
-                s.mul_f32s(x, numbers[v]),
+                s.mul_f32s(x, times[v]),
                 [1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0],
             );
-            let turn = s.mul_f32s(turn, numbers[v]);
+            let turn = s.mul_f32s(turn, times[v]);
             let b = s.mul_add_e_f32s(turn, a, turn);
             let (x, y) = (of_x[v], of_y[v]);
             to_x[v] = s.mul_add_e_f32s(y, b, s.mul_add_e_f32s(x, a, x));
