@@ -52,6 +52,7 @@ def own(ours, units, widths, ops):
         ("FMAs of the machine, 10⁹ vectors a second", [r and 1e-9 * r for r in rates], ".2f"),
         (f"the most modes they allow, at {ops:g} a mode and sample", bounds, ",.0f"),
         ("share of them that ours uses, %", of(slots), ".0f"),
+        ("modes if none is above 3.45 kHz", of(lambda _, run: run.low), ",.0f"),
         ("modes with all damping automated", of(lambda _, run: run.automated), ",.0f"),
         ("of steady", of(lambda _, run: run.automated / run.best), ".2f"),
         (

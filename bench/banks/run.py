@@ -25,6 +25,7 @@ class Ours:
     def __init__(self, *command):
         self.command = list(map(str, command))
         self.best = 0.0
+        self.low = 0.0
         self.automated = 0.0
         self.keyboard = float("inf")
 
@@ -39,6 +40,7 @@ class Ours:
         done = subprocess.run(self.command, stdout=subprocess.PIPE, text=True, check=True)
         told = json.loads(done.stdout)
         self.best = max(self.best, told["steady_modes"])
+        self.low = max(self.low, told["low_modes"])
         self.automated = max(self.automated, told["automated_modes"])
         self.keyboard = min(self.keyboard, told["keyboard_share"])
 

@@ -1,4 +1,4 @@
-//! A bank whose modes ring for a minute, from 50 Hz to 15 kHz, in any number.
+//! A bank whose modes ring for a minute, in any number.
 
 use idiophone::engine::{Mallet, Settings};
 use modes::{
@@ -13,7 +13,13 @@ const POINTS: usize = 8;
 const T60_S: f64 = 60.0;
 
 /// Frequencies of the first mode and after the last, in Hz.
-const BAND_HZ: (f64, f64) = (50.0, 15_050.0);
+pub(crate) type Band = (f64, f64);
+
+/// All that people hear of most bodies.
+pub(crate) const WIDE: Band = (50.0, 15_050.0);
+
+/// What sounds longest, and all that drums have.
+pub(crate) const LOW: Band = (50.0, 3_450.0);
 
 /// A mallet of brass, off before the highest mode has turned, so that all are struck.
 pub(crate) const MALLET: Settings = Settings {
@@ -24,14 +30,14 @@ pub(crate) const MALLET: Settings = Settings {
     ..Settings::DEFAULT
 };
 
-/// As many bodies (keys from 0), each with `modes` modes; all frequencies differ, evenly spaced.
+/// As many bodies (keys from 0), each with `modes` modes; all frequencies differ, evenly spaced over `band`.
 ///
 /// Every strike reaches every mode, and each ear hears it with a level and a phase of its own.
-pub(crate) fn bank(bodies: u8, modes: usize) -> Bank {
+pub(crate) fn bank(bodies: u8, modes: usize, band: Band) -> Bank {
     let count = usize::from(bodies) * modes;
-    let spacing_hz = (BAND_HZ.1 - BAND_HZ.0) / count as f64;
+    let spacing_hz = (band.1 - band.0) / count as f64;
     let hz = |key: u8, index: usize| {
-        BAND_HZ.0 + spacing_hz * (index * usize::from(bodies) + usize::from(key)) as f64
+        band.0 + spacing_hz * (index * usize::from(bodies) + usize::from(key)) as f64
     };
     Bank {
         name: "ring".into(),
@@ -63,7 +69,7 @@ fn body(key: u8, modes: impl Iterator<Item = Mode>) -> Body {
     let along = |point: usize| length_m * point as f64 / (POINTS - 1) as f64;
     Body {
         key,
-        pitch_hz: modes.first().map_or(BAND_HZ.0, |mode| mode.hz),
+        pitch_hz: modes.first().map_or(0.0, |mode| mode.hz),
         length_m,
         mass_kg: 0.35,
         matter: None,

@@ -1,8 +1,8 @@
 //! What ringing costs: steadily, with the damping turned, and with strikes.
 
-use crate::bank::MALLET;
+use crate::bank::{LOW, MALLET, WIDE, bank};
 use crate::vectors::Vectors;
-use crate::{BLOCK, MODES, RATE_HZ, render, ringing};
+use crate::{BLOCK, MODES, RATE_HZ, render, ringing, struck};
 use idiophone::engine::{Engine, GRID, Losses, Settings};
 use modes::{Damping, Rayleigh};
 use std::time::Instant;
@@ -21,6 +21,7 @@ pub(crate) struct Cost {
     vectors: Vectors,
     bodies: u8,
     steady_s: f64,
+    low_s: f64,
     automated_s: f64,
     struck_s: f64,
 }
@@ -28,26 +29,30 @@ pub(crate) struct Cost {
 impl Cost {
     /// Of `bodies` bodies of [`MODES`], and of a keyboard.
     pub(crate) fn of(bodies: u8, runs: usize, vectors: Vectors) -> Self {
-        let mut steady = ringing(bodies, MODES, vectors);
-        let mut automated = ringing(bodies, MODES, vectors);
-        let mut struck = ringing(KEYBOARD.0, KEYBOARD.1, vectors);
+        let mut steady = ringing(bodies, WIDE, vectors);
+        let mut low = ringing(bodies, LOW, vectors);
+        let mut automated = ringing(bodies, WIDE, vectors);
+        let (keys, modes) = KEYBOARD;
+        let mut keyboard = struck(&bank(keys, modes, WIDE), keys, vectors);
         // The mallets that players get stay on the bodies for longer.
-        struck.set(&Settings::default());
+        keyboard.set(&Settings::default());
         let mut cost = Self {
             vectors,
             bodies,
             steady_s: f64::MAX,
+            low_s: f64::MAX,
             automated_s: f64::MAX,
             struck_s: f64::MAX,
         };
         for run in 0..runs {
             shorten(&mut cost.steady_s, || render(&mut steady, BLOCKS * BLOCK));
+            shorten(&mut cost.low_s, || render(&mut low, BLOCKS * BLOCK));
             shorten(&mut cost.automated_s, || automate(&mut automated));
             // A stride without a common factor goes over all keys, far from the last.
-            let key = (run * 37 % usize::from(KEYBOARD.0)) as u8;
+            let key = (run * 37 % usize::from(keys)) as u8;
             shorten(&mut cost.struck_s, || {
-                struck.strike(key, 0.8);
-                render(&mut struck, BETWEEN_STRIKES);
+                keyboard.strike(key, 0.8);
+                render(&mut keyboard, BETWEEN_STRIKES);
             });
         }
         cost
@@ -60,12 +65,13 @@ impl Cost {
         let at_once = |spent_s: f64| modes as f64 * (BLOCKS * BLOCK) as f64 / RATE_HZ / spent_s;
         format!(
             concat!(
-                r#"{{"vectors": "{}", "modes": {}, "steady_modes": {:.0}, "#,
+                r#"{{"vectors": "{}", "modes": {}, "steady_modes": {:.0}, "low_modes": {:.0}, "#,
                 r#""automated_modes": {:.0}, "keyboard_share": {:.5}}}"#
             ),
             self.vectors.name(),
             modes,
             at_once(self.steady_s),
+            at_once(self.low_s),
             at_once(self.automated_s),
             self.struck_s * RATE_HZ / BETWEEN_STRIKES as f64,
         )

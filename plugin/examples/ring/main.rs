@@ -13,6 +13,7 @@ mod vectors;
 
 use cost::Cost;
 use idiophone::engine::Engine;
+use modes::Bank;
 use std::process::ExitCode;
 use vectors::Vectors;
 
@@ -52,7 +53,7 @@ fn run(words: &[&str]) -> Result<(), String> {
         }
         ["chord", runs] => chord::time(number(runs)?),
         ["render", bodies, samples] => {
-            let mut engine = ringing(bodies_of(bodies)?, MODES, Vectors::choose(None)?);
+            let mut engine = ringing(bodies_of(bodies)?, bank::WIDE, Vectors::choose(None)?);
             render(&mut engine, number(samples)?);
         }
         _ => return Err(USAGE.into()),
@@ -73,9 +74,14 @@ fn bodies_of(word: &str) -> Result<u8, String> {
     bodies.ok_or_else(|| format!("{word}: bodies must be 1 to 128, one for a key"))
 }
 
-/// An engine whose bodies, of `modes` modes each, have been struck hard and are left alone.
-fn ringing(bodies: u8, modes: usize, vectors: Vectors) -> Engine {
-    let mut engine = vectors.engine(&bank::bank(bodies, modes), RATE_HZ);
+/// An engine whose bodies, of [`MODES`] modes each over `band`, have been struck hard and are left alone.
+fn ringing(bodies: u8, band: bank::Band, vectors: Vectors) -> Engine {
+    struck(&bank::bank(bodies, MODES, band), bodies, vectors)
+}
+
+/// An engine whose bodies have been struck hard and are left alone.
+fn struck(bank: &Bank, bodies: u8, vectors: Vectors) -> Engine {
+    let mut engine = vectors.engine(bank, RATE_HZ);
     engine.set(&bank::MALLET);
     for key in 0..bodies {
         engine.strike(key, 1.0);
