@@ -4,12 +4,18 @@
 
 use super::channels::Channels;
 use super::{Desk, Fate, Source, mend};
-use clap_sys::events::clap_event_transport;
+use clap_sys::events::{clap_event_header, clap_event_transport, clap_output_events};
 use clap_sys::plugin::clap_plugin;
 use clap_sys::process::{
     CLAP_PROCESS_CONTINUE, CLAP_PROCESS_ERROR, clap_process, clap_process_status,
 };
 use std::ptr;
+
+/// For hosts that take no events.
+static DEAF: clap_output_events = clap_output_events {
+    ctx: ptr::null_mut(),
+    try_push: Some(refuse),
+};
 
 /// What it takes to put blocks in order.
 ///
@@ -37,7 +43,7 @@ impl Blocks {
     ///
     /// # Safety
     ///
-    /// That of CLAP's `process`, but for outputs and channels that are null or too few.
+    /// That of CLAP's `process`, but for pointers that are null and outputs and channels that are too few.
     pub(super) unsafe fn process(
         &mut self,
         inner: *const clap_plugin,
@@ -67,6 +73,8 @@ impl Blocks {
             audio_inputs_count: 0,
             audio_outputs: outputs.as_mut_ptr(),
             audio_outputs_count: outputs.len() as u32,
+            // SAFETY: the host's list is good for the length of the call.
+            out_events: unsafe { hearing(block.out_events) },
             ..block
         };
         let sound = without_allocating(|| events.is_sound(frames));
@@ -97,10 +105,29 @@ impl Blocks {
 /// # Safety
 ///
 /// There is one, or a null pointer.
-unsafe fn mended(transport: *const clap_event_transport) -> Option<clap_event_transport> {
+unsafe fn mended(there: *const clap_event_transport) -> Option<clap_event_transport> {
+    if there.is_null() {
+        return None;
+    }
     // SAFETY: the caller's.
-    let mut transport = *unsafe { transport.as_ref() }?;
-    (mend::transport(&mut transport) != Fate::Sound).then_some(transport)
+    let mut transport = unsafe { there.read_unaligned() };
+    let sound = mend::transport(&mut transport) == Fate::Sound && there.is_aligned();
+    (!sound).then_some(transport)
+}
+
+/// The host's list, or one that takes nothing where that cannot be told anything.
+///
+/// # Safety
+///
+/// It is null or good for as long as it is used.
+pub(super) unsafe fn hearing(list: *const clap_output_events) -> *const clap_output_events {
+    // SAFETY: the caller's.
+    let hears = list.is_aligned() && unsafe { list.as_ref() }.is_some_and(|l| l.try_push.is_some());
+    if hears { list } else { &raw const DEAF }
+}
+
+unsafe extern "C" fn refuse(_: *const clap_output_events, _: *const clap_event_header) -> bool {
+    false
 }
 
 /// Does `work`, which aborts on an allocation wherever the framework's own does.

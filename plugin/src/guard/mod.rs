@@ -4,7 +4,7 @@
 //! outside the host's buffers, one that goes back underflows, a velocity that is no number reaches
 //! the sound, a key above 127 stands for all keys, and notes in a block of no frames are lost. It
 //! reads beyond the outputs that a host passes if they are fewer than those of the layout, writes to
-//! null channels. The [`entry`] is therefore ours: the
+//! null channels, and panics where a list has no functions. The [`entry`] is therefore ours: the
 //! [`plugin`] it makes is the framework's, but sees only [`block`]s that are in order. A list that is
 //! in order already passes as it came, any other is mended on a [`Desk`]; outputs that a host leaves
 //! out are made up from [`channels`] that nobody hears.

@@ -2,7 +2,7 @@
 
 #![expect(unsafe_code, reason = "CLAP's plug-ins are functions over pointers")]
 
-use super::block::Blocks;
+use super::block::{Blocks, hearing};
 use super::{List, Source, extensions};
 use atomic_refcell::AtomicRefCell;
 use clap_sys::events::{clap_input_events, clap_output_events};
@@ -10,7 +10,11 @@ use clap_sys::ext::params::{CLAP_EXT_PARAMS, clap_plugin_params};
 use clap_sys::plugin::clap_plugin;
 use clap_sys::process::{CLAP_PROCESS_ERROR, clap_process, clap_process_status};
 use std::ffi::{CStr, c_char, c_void};
+use std::ops::RangeInclusive;
 use std::ptr;
+
+/// Rates that are any, in samples per s: the framework takes whatever it is told.
+const RATES_HZ: RangeInclusive<f64> = 1.0..=1e7;
 
 /// A plug-in as the host holds it.
 ///
@@ -141,10 +145,11 @@ unsafe extern "C" fn activate(
         let Some(guard) = Guard::of(plugin) else {
             return false;
         };
-        let active = guard
-            .inner()
-            .activate
-            .is_some_and(|activate| activate(guard.inner, rate_hz, min_frames, max_frames));
+        let active = RATES_HZ.contains(&rate_hz)
+            && guard
+                .inner()
+                .activate
+                .is_some_and(|activate| activate(guard.inner, rate_hz, min_frames, max_frames));
         let Ok(mut blocks) = guard.blocks.try_borrow_mut() else {
             return false;
         };
@@ -196,10 +201,10 @@ unsafe extern "C" fn process(
 ) -> clap_process_status {
     // SAFETY: the host holds a guarded plug-in, and its block is good for the length of the call.
     unsafe {
-        let (Some(guard), Some(block)) = (Guard::of(plugin), block.as_ref()) else {
-            return CLAP_PROCESS_ERROR;
-        };
-        guard.process(*block)
+        match Guard::of(plugin) {
+            Some(guard) if !block.is_null() => guard.process(block.read_unaligned()),
+            _ => CLAP_PROCESS_ERROR,
+        }
     }
 }
 
@@ -232,7 +237,7 @@ unsafe extern "C" fn flush(
             let source = Source::new(in_events);
             let mut list = List::new(&[], &[], source, 0..source.len(), 0);
             let in_events = list.as_clap();
-            flush(guard.inner, &raw const in_events, out_events);
+            flush(guard.inner, &raw const in_events, hearing(out_events));
         }
     }
 }

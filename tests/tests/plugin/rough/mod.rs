@@ -3,6 +3,7 @@
 #![expect(unsafe_code, reason = "a bad host has pointers")]
 
 mod block;
+mod calls;
 
 use block::{Block, MAX_FRAMES, NOWHERE, OUTPUTS, UNTOUCHED, eight, played};
 use clap_sys::process::CLAP_PROCESS_ERROR;
