@@ -17,12 +17,9 @@ impl Source<'_> {
     /// It is null, or a list whose functions may be called for as long as this is used, and whose
     /// events each are null or have as many bytes as their headers say, the header's own included.
     pub(super) unsafe fn new(list: *const clap_input_events) -> Self {
+        let list = list.is_aligned().then_some(list);
         // SAFETY: the caller's.
-        Self(
-            list.is_aligned()
-                .then(|| unsafe { list.as_ref() })
-                .flatten(),
-        )
+        Self(list.and_then(|list| unsafe { list.as_ref() }))
     }
 
     /// How many events there are.
