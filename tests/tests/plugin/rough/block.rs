@@ -29,7 +29,7 @@ impl Block {
     pub(crate) fn new(frames: u32, raw: &Raw<'_>) -> Box<Self> {
         let mut sound = vec![[0, 1].map(|_| vec![UNTOUCHED; frames as usize]); OUTPUTS];
         let sides = sound.iter_mut();
-        let sides = sides.map(|sides| sides.each_mut().map(|side| side.as_mut_ptr()));
+        let sides = sides.map(|sides| sides.each_mut().map(Vec::as_mut_ptr));
         let mut block = Box::new(Self {
             sides: sides.collect(),
             sound,

@@ -1,6 +1,6 @@
 //! Calls with lists, lengths, addresses and rates that are none.
 
-use super::block::{Block, MAX_FRAMES, eight, played};
+use super::block::{Block, MAX_FRAMES, NOWHERE, eight, played};
 use clap_sys::events::{CLAP_EVENT_TRANSPORT, clap_event_header, clap_event_transport};
 use clap_sys::events::{clap_input_events, clap_output_events};
 use clap_sys::ext::params::{CLAP_EXT_PARAMS, clap_plugin_params};
@@ -20,12 +20,12 @@ fn lists_that_are_missing_are_empty() {
     assert_eq!(sounds(&|block| block.process.in_events = null()), 0.0);
     assert_eq!(sounds(&|block| block.input.size = None), 0.0);
     assert_eq!(sounds(&|block| block.input.get = None), 0.0);
-    let odd = |block: &mut Block| block.process.in_events = 3 as *const _;
+    let odd = |block: &mut Block| block.process.in_events = (NOWHERE + 1) as *const _;
     assert_eq!(sounds(&odd), 0.0);
     // Notes that end are told to nobody.
     assert!(sounds(&|block| block.process.out_events = null()) > 0.0);
     assert!(sounds(&|block| block.output.try_push = None) > 0.0);
-    let odd = |block: &mut Block| block.process.out_events = 3 as *const _;
+    let odd = |block: &mut Block| block.process.out_events = (NOWHERE + 1) as *const _;
     assert!(sounds(&odd) > 0.0);
 }
 
