@@ -10,9 +10,24 @@ pub(crate) fn alive_mib() -> Option<f64> {
     Some((said.uordblks + said.hblkhd) as f64 / f64::from(1 << 20))
 }
 
-/// The same, where no library tells.
+/// What is resident once the allocator has given back what it only keeps, in MiB.
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+#[expect(unsafe_code, reason = "the C library is asked")]
+pub(crate) fn trimmed_mib() -> Option<f64> {
+    // SAFETY: what is allocated stays.
+    unsafe { libc::malloc_trim(0) };
+    resident_mib()
+}
+
+/// As above, where no library tells.
 #[cfg(not(all(target_os = "linux", target_env = "gnu")))]
 pub(crate) fn alive_mib() -> Option<f64> {
+    None
+}
+
+/// As above, where no library tells.
+#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
+pub(crate) fn trimmed_mib() -> Option<f64> {
     None
 }
 
