@@ -10,6 +10,7 @@ fn grids_and_surfaces_come_back_as_they_were() {
     let bank = grid_bank();
     assert_eq!(bank.check(), Ok(()));
     let file = bank.write();
+    assert_eq!(file.capacity(), file.len(), "it is no longer than it says");
     assert_eq!(Bank::read(&file), Ok(bank));
     assert_eq!(Bank::read(&file).unwrap().write(), file);
 }

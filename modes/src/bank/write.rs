@@ -20,7 +20,9 @@ impl Bank {
     pub fn write(&self) -> Vec<u8> {
         let header = serde_json::to_vec(&self.header()).expect("a header is plain data");
         let header_len = u32::try_from(header.len()).expect("a header is far shorter than 4 GiB");
-        let mut file = Vec::with_capacity(PRELUDE_LEN + 4 + header.len());
+        let bodies: u64 = self.bodies.iter().map(section_len).sum();
+        let bodies = usize::try_from(bodies).expect("what is in memory is shorter than memory");
+        let mut file = Vec::with_capacity(PRELUDE_LEN + 4 + header.len() + bodies);
         file.extend(MAGIC);
         file.extend(VERSION.to_le_bytes());
         file.extend([0; PRELUDE_LEN - 12]);

@@ -82,10 +82,15 @@ impl Instruments {
     /// Takes a file: a bank is loaded, a mesh comes onto the sheet.
     pub fn open(&self, path: PathBuf) {
         if Ware::of(&path) == Some(Ware::Mesh) {
-            self.sheet.chosen().put((path, Place::New));
+            self.shape(vec![path]);
         } else {
             self.library.ask(path);
         }
+    }
+
+    /// Takes meshes onto a new sheet: several become a kit.
+    pub(super) fn shape(&self, paths: Vec<PathBuf>) {
+        self.sheet.chosen().put((paths, Place::New));
     }
 
     /// Has what plays as a preview built in full quality, on the sheet.
@@ -100,7 +105,7 @@ impl Instruments {
 
     /// Takes a mesh onto the sheet that is open, as a further body.
     pub fn add(&self, path: PathBuf) {
-        self.sheet.chosen().put((path, Place::Further));
+        self.sheet.chosen().put((vec![path], Place::Further));
     }
 
     /// Draws the sheet of a mesh, if one is open.
@@ -158,7 +163,7 @@ impl Instruments {
     }
 
     /// Asks the system for files, on a thread of its own; whatever comes is taken as if it were dropped, but for
-    /// the first mesh if it is to be a further body on the sheet.
+    /// meshes that are to be further bodies on the sheet.
     fn import(&self, place: Place) {
         let ends = Ware::ALL.map(|(_, end)| end);
         let dialog = rfd::AsyncFileDialog::new()
@@ -175,15 +180,14 @@ impl Instruments {
             .name("idiophone dialog".to_owned())
             .spawn(move || match pollster::block_on(picked) {
                 Some(files) => {
-                    let mut paths: Vec<PathBuf> =
-                        files.iter().map(|file| file.path().to_path_buf()).collect();
-                    let mesh = |path: &PathBuf| Ware::of(path) == Some(Ware::Mesh);
-                    if place == Place::Further
-                        && let Some(first) = paths.iter().position(mesh)
-                    {
-                        chosen.put((paths.remove(first), place));
+                    let paths = files.iter().map(|file| file.path().to_path_buf());
+                    let further =
+                        |path: &PathBuf| place == Place::Further && Ware::of(path) == Some(Ware::Mesh);
+                    let (meshes, others): (Vec<_>, Vec<_>) = paths.partition(further);
+                    if !meshes.is_empty() {
+                        chosen.put((meshes, place));
                     }
-                    waiting.put(paths);
+                    waiting.put(others);
                     news();
                 }
                 None if asked.elapsed() < CANCEL => notices.post(Notice {

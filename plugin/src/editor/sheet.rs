@@ -15,9 +15,10 @@ use crate::shelf::Library;
 use bodies::{More, bodies};
 use egui::{Align2, RichText, ScrollArea, Ui, Window, vec2};
 use fields::fields;
-use kit::Kit;
+use kit::{Kit, MOST};
 use modes::MeshOrder;
 use standing::{Deed, buttons, standing};
+use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -32,7 +33,7 @@ pub(super) type News = Arc<dyn Fn() + Send + Sync>;
 /// The sheet, open or not.
 pub(super) struct Sheet {
     open: bool,
-    chosen: Chosen<(PathBuf, Place)>,
+    chosen: Chosen<(Vec<PathBuf>, Place)>,
     /// What is to be built in full quality, as a notice offers.
     unfinished: Chosen<MeshOrder>,
     mesher: Mesher,
@@ -40,6 +41,10 @@ pub(super) struct Sheet {
     quality: Quality,
     /// Whether a file is read that is to come onto the sheet.
     coming: bool,
+    /// Files that are to be read after it.
+    waiting: VecDeque<PathBuf>,
+    /// Whether they make a kit together.
+    together: bool,
     /// What is wrong with the choice itself.
     fault: Option<String>,
     pub(super) news: News,
@@ -55,6 +60,8 @@ impl Default for Sheet {
             kit: Kit::default(),
             quality: Quality::Full,
             coming: false,
+            waiting: VecDeque::new(),
+            together: false,
             fault: None,
             news: Arc::new(|| ()),
         }
@@ -62,8 +69,8 @@ impl Default for Sheet {
 }
 
 impl Sheet {
-    /// Where the mesh is put that comes onto it.
-    pub(super) fn chosen(&self) -> Chosen<(PathBuf, Place)> {
+    /// Where the meshes are put that come onto it.
+    pub(super) fn chosen(&self) -> Chosen<(Vec<PathBuf>, Place)> {
         self.chosen.clone()
     }
 
@@ -74,8 +81,8 @@ impl Sheet {
 
     /// Draws the sheet, if there is a mesh on it; whether a dialog is to ask for another mesh.
     pub(super) fn show(&mut self, ui: &Ui, places: &Places, theme: &Theme) -> bool {
-        if let Some((path, place)) = self.chosen.take() {
-            self.look(path, place);
+        if let Some((paths, place)) = self.chosen.take() {
+            self.look(paths, place);
         }
         if let Some(order) = self.unfinished.take() {
             (self.open, self.fault) = (true, None);
@@ -106,32 +113,51 @@ impl Sheet {
             });
         match deed {
             Some(Deed::Build) => self.build(places),
-            Some(Deed::Cancel) => self.mesher.cancel(),
+            Some(Deed::Cancel) => {
+                self.waiting.clear();
+                self.mesher.cancel();
+            }
             Some(Deed::Close) => open = false,
             None => {}
         }
         if !open {
             // What is being built ends; a preview that plays already plays on.
             self.mesher.cancel();
+            self.waiting.clear();
             self.open = false;
         }
         match more {
-            Some(More::File(path)) => self.look(path, Place::Further),
+            Some(More::File(path)) => self.look(vec![path], Place::Further),
             Some(More::Ask) => return true,
             None => {}
         }
         false
     }
 
-    /// Has a file read, for a new sheet or for the one that is open.
-    fn look(&mut self, path: PathBuf, place: Place) {
+    /// Has files read, for a new sheet or for the one that is open.
+    fn look(&mut self, paths: Vec<PathBuf>, place: Place) {
+        self.together = place == Place::New && paths.len() > 1;
         if place == Place::New || !self.open {
             self.kit = Kit::default();
             self.quality = Quality::Full;
         }
-        (self.open, self.coming, self.fault) = (true, true, None);
-        let news = Arc::clone(&self.news);
-        self.mesher.look(path, move || news());
+        (self.open, self.fault) = (true, None);
+        if paths.len() > MOST {
+            self.fault = Some(format!("A kit has room for {MOST} files: the others stay"));
+        }
+        self.waiting = paths.into_iter().take(MOST).collect();
+        self.next();
+    }
+
+    /// Has the next file read, if there is one; else what came together is a kit.
+    fn next(&mut self) {
+        if let Some(path) = self.waiting.pop_front() {
+            self.coming = true;
+            let news = Arc::clone(&self.news);
+            self.mesher.look(path, move || news());
+        } else if std::mem::take(&mut self.together) {
+            self.kit.gather();
+        }
     }
 
     /// Puts a file that has been read onto the sheet.
@@ -143,6 +169,12 @@ impl Sheet {
         if let Some(facts) = &state.facts {
             self.kit.add(Arc::new(facts.clone()));
         }
+        // What is wrong with the last one stands where it was read.
+        if let (Phase::Refused(reason), false) = (&state.phase, self.waiting.is_empty()) {
+            let said = self.fault.take().map(|fault| format!("{fault}\n"));
+            self.fault = Some(said.unwrap_or_default() + reason);
+        }
+        self.next();
     }
 
     /// What is asked of the bodies; which is to come next.

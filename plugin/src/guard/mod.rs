@@ -2,13 +2,18 @@
 //!
 //! nice-plug 0.4.2 trusts the event list of a `process` call: a time beyond the block makes it write
 //! outside the host's buffers, one that goes back underflows, a velocity that is no number reaches
-//! the sound, a key above 127 stands for all keys, and notes in a block of no frames are lost. The
-//! [`entry`] is therefore ours: the [`plugin`] it makes is the framework's, but sees only lists that
-//! are in order. One that is in order already passes as it came; any other is mended on a [`Desk`].
+//! the sound, a key above 127 stands for all keys, and notes in a block of no frames are lost. It
+//! reads beyond the outputs that a host passes if they are fewer than those of the layout, writes to
+//! null channels, and panics where a list has no functions. The [`entry`] is therefore ours: the
+//! [`plugin`] it makes is the framework's, but sees only [`block`]s that are in order. A list that is
+//! in order already passes as it came, any other is mended on a [`Desk`]; outputs that a host leaves
+//! out are made up from [`channels`] that nobody hears.
 //!
 //! [`extensions`] is where an extension goes that the framework lacks. VST3 has no such door, so
 //! [`put_right`] cures the rest where events arrive.
 
+mod block;
+mod channels;
 mod desk;
 mod entry;
 mod event;

@@ -2,16 +2,19 @@
 
 #![expect(unsafe_code, reason = "CLAP's plug-ins are functions over pointers")]
 
-use super::{Desk, Fate, List, Source, extensions, mend};
+use super::block::{Blocks, hearing};
+use super::{List, Source, extensions};
 use atomic_refcell::AtomicRefCell;
-use clap_sys::events::{clap_event_transport, clap_input_events, clap_output_events};
+use clap_sys::events::{clap_input_events, clap_output_events};
 use clap_sys::ext::params::{CLAP_EXT_PARAMS, clap_plugin_params};
 use clap_sys::plugin::clap_plugin;
-use clap_sys::process::{
-    CLAP_PROCESS_CONTINUE, CLAP_PROCESS_ERROR, clap_process, clap_process_status,
-};
+use clap_sys::process::{CLAP_PROCESS_ERROR, clap_process, clap_process_status};
 use std::ffi::{CStr, c_char, c_void};
+use std::ops::RangeInclusive;
 use std::ptr;
+
+/// Rates that are any, in samples per s: the framework takes whatever it is told.
+const RATES_HZ: RangeInclusive<f64> = 1.0..=1e7;
 
 /// A plug-in as the host holds it.
 ///
@@ -25,7 +28,7 @@ pub(super) struct Guard {
     /// The framework's parameters with a guarded flush.
     pub(super) params: Option<clap_plugin_params>,
     /// While active. A host that keeps to CLAP's threads never finds it in use.
-    desk: AtomicRefCell<Option<Desk>>,
+    blocks: AtomicRefCell<Option<Blocks>>,
 }
 
 impl Guard {
@@ -61,7 +64,7 @@ impl Guard {
                 flush: Some(flush),
                 ..*params
             }),
-            desk: AtomicRefCell::new(None),
+            blocks: AtomicRefCell::new(None),
         };
         Box::into_raw(Box::new(guard)).cast()
     }
@@ -83,10 +86,10 @@ impl Guard {
     }
 
     fn forget(&self) {
-        if let Ok(mut desk) = self.desk.try_borrow_mut()
-            && let Some(desk) = &mut *desk
+        if let Ok(mut blocks) = self.blocks.try_borrow_mut()
+            && let Some(blocks) = &mut *blocks
         {
-            desk.clear();
+            blocks.forget();
         }
     }
 
@@ -94,52 +97,15 @@ impl Guard {
     ///
     /// # Safety
     ///
-    /// That of CLAP's `process`.
-    unsafe fn process(&self, block: &clap_process) -> clap_process_status {
-        let Some(process) = self.inner().process else {
-            return CLAP_PROCESS_ERROR;
-        };
-        let mut desk = self.desk.try_borrow_mut().ok();
-        let Some(desk) = desk.as_deref_mut().and_then(Option::as_mut) else {
-            return CLAP_PROCESS_ERROR;
-        };
-        // SAFETY: the host's list is good for the length of the call.
-        let events = unsafe { Source::new(block.in_events) };
-        // SAFETY: so is its transport.
-        let transport = unsafe { mended(block.transport) };
-        let sound = without_allocating(|| events.is_sound(block.frames_count));
-        if sound && transport.is_none() && desk.is_clear() {
-            // SAFETY: all is as the host has it.
-            return unsafe { process(self.inner, block) };
-        }
-        let mut list = without_allocating(|| desk.sort(events, block.frames_count));
-        let in_events = list.as_clap();
-        let block = clap_process {
-            in_events: &raw const in_events,
-            transport: transport.as_ref().map_or(block.transport, ptr::from_ref),
-            ..*block
-        };
-        // SAFETY: the list and the transport live until the call ends.
-        let status = unsafe { process(self.inner, &raw const block) };
-        let waits = without_allocating(|| desk.tidy(block.frames_count));
-        if waits && status != CLAP_PROCESS_ERROR {
-            // The host is not to put to sleep what has notes to play.
-            CLAP_PROCESS_CONTINUE
-        } else {
-            status
-        }
+    /// That of [`Blocks::process`].
+    unsafe fn process(&self, block: clap_process) -> clap_process_status {
+        let mut blocks = self.blocks.try_borrow_mut().ok();
+        let blocks = blocks.as_deref_mut().and_then(Option::as_mut);
+        blocks.map_or(CLAP_PROCESS_ERROR, |blocks| {
+            // SAFETY: the caller's.
+            unsafe { blocks.process(self.inner, block) }
+        })
     }
-}
-
-/// A transport in order, if that there is not.
-///
-/// # Safety
-///
-/// There is one, or a null pointer.
-unsafe fn mended(transport: *const clap_event_transport) -> Option<clap_event_transport> {
-    // SAFETY: the caller's.
-    let mut transport = *unsafe { transport.as_ref() }?;
-    (mend::transport(&mut transport) != Fate::Sound).then_some(transport)
 }
 
 /// The framework's extension of that name, or null.
@@ -154,14 +120,6 @@ unsafe fn extension(inner: *const clap_plugin, id: &CStr) -> *const c_void {
             .get_extension
             .map_or(ptr::null(), |get| get(inner, id.as_ptr()))
     }
-}
-
-/// Does `work`, which aborts on an allocation wherever the framework's own does.
-fn without_allocating<T>(work: impl FnOnce() -> T) -> T {
-    #[cfg(all(debug_assertions, feature = "assert_process_allocs"))]
-    return nice_assert_no_alloc::assert_no_alloc(work);
-    #[cfg(not(all(debug_assertions, feature = "assert_process_allocs")))]
-    work()
 }
 
 unsafe extern "C" fn destroy(plugin: *const clap_plugin) {
@@ -187,14 +145,15 @@ unsafe extern "C" fn activate(
         let Some(guard) = Guard::of(plugin) else {
             return false;
         };
-        let active = guard
-            .inner()
-            .activate
-            .is_some_and(|activate| activate(guard.inner, rate_hz, min_frames, max_frames));
-        let Ok(mut desk) = guard.desk.try_borrow_mut() else {
+        let active = RATES_HZ.contains(&rate_hz)
+            && guard
+                .inner()
+                .activate
+                .is_some_and(|activate| activate(guard.inner, rate_hz, min_frames, max_frames));
+        let Ok(mut blocks) = guard.blocks.try_borrow_mut() else {
             return false;
         };
-        *desk = active.then(Desk::new);
+        *blocks = active.then(|| Blocks::new(max_frames));
         active
     }
 }
@@ -203,8 +162,8 @@ unsafe extern "C" fn deactivate(plugin: *const clap_plugin) {
     // SAFETY: the host holds a guarded plug-in.
     unsafe {
         if let Some(guard) = Guard::of(plugin) {
-            if let Ok(mut desk) = guard.desk.try_borrow_mut() {
-                *desk = None;
+            if let Ok(mut blocks) = guard.blocks.try_borrow_mut() {
+                *blocks = None;
             }
             if let Some(deactivate) = guard.inner().deactivate {
                 deactivate(guard.inner);
@@ -242,10 +201,10 @@ unsafe extern "C" fn process(
 ) -> clap_process_status {
     // SAFETY: the host holds a guarded plug-in, and its block is good for the length of the call.
     unsafe {
-        let (Some(guard), Some(block)) = (Guard::of(plugin), block.as_ref()) else {
-            return CLAP_PROCESS_ERROR;
-        };
-        guard.process(block)
+        match Guard::of(plugin) {
+            Some(guard) if !block.is_null() => guard.process(block.read_unaligned()),
+            _ => CLAP_PROCESS_ERROR,
+        }
     }
 }
 
@@ -278,7 +237,7 @@ unsafe extern "C" fn flush(
             let source = Source::new(in_events);
             let mut list = List::new(&[], &[], source, 0..source.len(), 0);
             let in_events = list.as_clap();
-            flush(guard.inner, &raw const in_events, out_events);
+            flush(guard.inner, &raw const in_events, hearing(out_events));
         }
     }
 }

@@ -17,8 +17,9 @@ impl Source<'_> {
     /// It is null, or a list whose functions may be called for as long as this is used, and whose
     /// events each are null or have as many bytes as their headers say, the header's own included.
     pub(super) unsafe fn new(list: *const clap_input_events) -> Self {
+        let list = list.is_aligned().then_some(list);
         // SAFETY: the caller's.
-        Self(unsafe { list.as_ref() })
+        Self(list.and_then(|list| unsafe { list.as_ref() }))
     }
 
     /// How many events there are.
@@ -52,18 +53,24 @@ impl Source<'_> {
     /// Whether the framework can take the list as it is for a block of so many frames.
     pub(super) fn is_sound(self, frames: u32) -> bool {
         let mut earliest = 0;
-        (0..self.len()).all(|index| {
-            let header = self.at(index);
-            // SAFETY: events have as many bytes as they say.
-            let Some(mut event) = (unsafe { Event::read(header) }) else {
-                return false;
-            };
-            let time = event.header_mut().time;
-            let due = (earliest..frames).contains(&time);
-            earliest = time;
-            // The framework looks at events through references.
-            due && header.addr().is_multiple_of(event.alignment()) && event.mend() == Fate::Sound
-        })
+        // The framework calls both functions.
+        let there = self
+            .0
+            .is_some_and(|list| list.size.is_some() && list.get.is_some());
+        there
+            && (0..self.len()).all(|index| {
+                let header = self.at(index);
+                // SAFETY: events have as many bytes as they say.
+                let Some(mut event) = (unsafe { Event::read(header) }) else {
+                    return false;
+                };
+                let time = event.header_mut().time;
+                let due = (earliest..frames).contains(&time);
+                earliest = time;
+                // The framework looks at events through references.
+                due && header.addr().is_multiple_of(event.alignment())
+                    && event.mend() == Fate::Sound
+            })
     }
 }
 
@@ -267,5 +274,6 @@ pub(super) mod tests {
         let none = unsafe { Source::new(std::ptr::null()) };
         assert_eq!(none.len(), 0);
         assert!(none.event(0, 0).is_none());
+        assert!(!none.is_sound(64), "the framework is to have one");
     }
 }

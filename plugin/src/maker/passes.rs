@@ -5,7 +5,7 @@ use super::shortfall::{Shortfall, refused};
 use super::{Stores, recipe_of};
 use crate::engine::Engine;
 use crate::notices::{Notice, Subject};
-use crate::shelf::{Own, Shelf, Shelved};
+use crate::shelf::{Own, Shelf, Shelved, spread_out};
 use modes::bar::TunedBar;
 use modes::factory::{Builder, Finished, Silent, build, coarse};
 use modes::{Bank, Body, Recipe, ShapeRecipe};
@@ -122,20 +122,22 @@ impl Passes {
             return;
         }
         if let Some(own) = stores.solved.of(&recipe.text) {
-            present.bank = Arc::new(own.bank().clone());
+            present.bank = own.share();
             customer.deliver(present);
         } else {
             let Some((bank, short)) = solve(present, &recipe, &customer) else {
                 return;
             };
             self.told = Some((recipe.text.clone(), short.notice(&wanted.drawing)));
-            present.bank = Arc::new(bank.clone().spread_out());
+            let bank = Arc::new(bank);
+            present.bank = spread_out(Arc::clone(&bank));
             customer.deliver(present);
             // One too large for a song is solved again there; one that is past by now is not wanted there.
-            if !customer.is_past()
-                && let Ok(own) = Own::new(bank)
-            {
-                stores.solved.put(own);
+            if !customer.is_past() {
+                stores.solved.clear();
+                if let Ok(own) = Own::new(bank) {
+                    stores.solved.put(own);
+                }
             }
         }
         let told = self.told.as_ref().filter(|(text, _)| *text == recipe.text);

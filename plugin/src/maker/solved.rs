@@ -20,6 +20,11 @@ impl Solved {
         *self.lock() = Some(Arc::new(own));
     }
 
+    /// Makes room for another, which is about to be packed.
+    pub(super) fn clear(&self) {
+        *self.lock() = None;
+    }
+
     /// Takes what a song keeps; what cannot be read is solved again.
     pub fn restore(&self, text: Option<&str>) {
         let same = |own: &Arc<Own>| text == Some(own.text());

@@ -134,7 +134,7 @@ fn a_turning_knob_makes_no_click_and_is_followed() {
 fn the_last_drawing_is_the_one_that_is_precomputed() {
     let (stores, number) = small();
     let recipe = recipe_of(&stores.shelf.bank(number)).unwrap();
-    let solved = Arc::clone(&stores.solved);
+    let (solved, drawn) = (Arc::clone(&stores.solved), Arc::clone(&stores.drawn));
     let maker = Maker::open(stores, number, RATE_HZ);
     for step in 1_u8..=5 {
         maker.want(number, &wall(1.0 + 0.1 * f32::from(step)), 1 << 91);
@@ -151,6 +151,8 @@ fn the_last_drawing_is_the_one_that_is_precomputed() {
     };
     let precomputed = modes::factory::build(&last, &modes::factory::Silent).unwrap();
     assert_eq!(own.bank(), &precomputed);
+    let drawn = drawn.of(number).unwrap();
+    assert!(std::ptr::eq(own.bank(), &raw const *drawn), "one copy");
     assert_eq!(
         crate::shelf::Own::read(own.text()).unwrap().bank(),
         &precomputed

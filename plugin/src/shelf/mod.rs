@@ -20,6 +20,7 @@ pub(crate) use librarian::{Librarian, Said};
 pub use library::Library;
 #[cfg(test)]
 pub(crate) use own::small;
+pub(crate) use own::spread_out;
 pub use own::{MOST_BYTES, Own};
 pub use shelved::Shelved;
 

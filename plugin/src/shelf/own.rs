@@ -4,6 +4,7 @@ use super::OwnError;
 use super::packed::{pack, unpack};
 use modes::Bank;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Longest text of a bank in a song, in bytes: a fraction of what hosts and the framework carry.
 pub const MOST_BYTES: usize = 64 << 20;
@@ -13,17 +14,19 @@ pub(super) const MOST_FILE: usize = 4 * MOST_BYTES;
 /// An instrument that the user brought.
 #[derive(Debug)]
 pub struct Own {
-    bank: Bank,
+    bank: Arc<Bank>,
     text: String,
 }
 
 impl Own {
-    /// Packs a bank, once for all the times that it will be saved.
+    /// Packs a bank, once for all the times that it will be saved. What others hold of it is shared with
+    /// them where it can be.
     ///
     /// # Errors
     ///
     /// If it has no bodies or is too large for a song.
-    pub fn new(bank: Bank) -> Result<Self, OwnError> {
+    pub fn new(bank: impl Into<Arc<Bank>>) -> Result<Self, OwnError> {
+        let bank = bank.into();
         let file = bank.write();
         if file.len() > MOST_FILE {
             return Err(OwnError::Large {
@@ -53,17 +56,17 @@ impl Own {
     pub fn read(text: &str) -> Result<Self, OwnError> {
         let (title, file) = unpack(text, MOST_FILE)?;
         let bank = Bank::read(&file).map_err(|error| OwnError::Bank { title, error })?;
-        Self::checked(bank, text.to_owned())
+        Self::checked(bank.into(), text.to_owned())
     }
 
-    fn checked(bank: Bank, text: String) -> Result<Self, OwnError> {
+    fn checked(bank: Arc<Bank>, text: String) -> Result<Self, OwnError> {
         if bank.bodies.iter().all(|body| body.modes.is_empty()) {
             return Err(OwnError::Silent {
                 title: title(&bank),
             });
         }
         Ok(Self {
-            bank: bank.spread_out(),
+            bank: spread_out(bank),
             text,
         })
     }
@@ -72,6 +75,12 @@ impl Own {
     #[must_use]
     pub fn bank(&self) -> &Bank {
         &self.bank
+    }
+
+    /// The same, to be held on to.
+    #[must_use]
+    pub fn share(&self) -> Arc<Bank> {
+        Arc::clone(&self.bank)
     }
 
     /// What a song keeps: JSON on one line.
@@ -90,6 +99,14 @@ impl Own {
     pub(super) fn is(&self, other: &Self) -> bool {
         self.text == other.text
     }
+}
+
+/// The bank with a body for each key; the same if it has them.
+pub(crate) fn spread_out(bank: Arc<Bank>) -> Arc<Bank> {
+    if bank.spread.is_none() {
+        return bank;
+    }
+    Arc::unwrap_or_clone(bank).spread_out().into()
 }
 
 /// The bank's name for people, or else the one for files.

@@ -11,6 +11,8 @@ use serde::{Deserialize, Serialize};
 const LAYOUT: u32 = 1;
 /// Of deflate: higher levels take several times as long and save a few per cent of what floats are.
 const LEVEL: u8 = 4;
+/// More than what stands around the file takes for a name of usual length, in bytes.
+const FRAME: usize = 512;
 /// Name of a bank of which not even the name can be read.
 const UNKNOWN: &str = "an instrument";
 
@@ -53,8 +55,13 @@ pub(super) fn pack(name: &str, title: &str, file: &[u8]) -> Result<String, OwnEr
         found_mib: bytes.div_ceil(1 << 20),
         most_mib: MOST_BYTES >> 20,
     };
-    // Strings and numbers always make JSON.
-    let text = serde_json::to_string(&packed).map_err(|_| large(file.len()))?;
+    // A text that grew as it is written would have twice its size, and is kept for long.
+    let mut text = Vec::with_capacity(packed.deflated.len() + FRAME);
+    // Strings and numbers always make JSON, which is UTF-8.
+    serde_json::to_writer(&mut text, &packed).map_err(|_| large(file.len()))?;
+    drop(packed);
+    text.shrink_to_fit();
+    let text = String::from_utf8(text).map_err(|_| large(file.len()))?;
     if text.len() > MOST_BYTES {
         return Err(large(text.len()));
     }
@@ -104,8 +111,11 @@ const FLOAT: usize = size_of::<f32>();
 /// All first bytes of floats, then all second ones and so on: those with the exponents, which are alike,
 /// deflate better for themselves.
 fn sorted(file: &[u8]) -> Vec<u8> {
-    let plane = |of| file.iter().skip(of).step_by(FLOAT).copied();
-    (0..FLOAT).flat_map(plane).collect()
+    let mut sorted = Vec::with_capacity(file.len());
+    for plane in 0..FLOAT {
+        sorted.extend(file.iter().skip(plane).step_by(FLOAT));
+    }
+    sorted
 }
 
 /// What [`sorted`] was given.
@@ -140,6 +150,7 @@ mod tests {
         let file: Vec<u8> = (0..100_000_u32).map(|i| (i >> 4) as u8).collect();
         let text = pack("bell", "Bell", &file).unwrap();
         assert!(text.len() < file.len() / 2, "{}", text.len());
+        assert_eq!(text.capacity(), text.len(), "it is kept for long");
         let (title, back) = unpack(&text, file.len()).unwrap();
         assert!(title == "Bell" && back == file);
         let error = unpack(&text, file.len() - 1).unwrap_err().to_string();

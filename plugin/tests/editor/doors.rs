@@ -104,6 +104,43 @@ fn a_mesh_that_hovers_is_promised_and_comes_onto_the_sheet_when_it_is_dropped() 
 }
 
 #[test]
+fn several_meshes_that_are_dropped_become_a_kit() {
+    let bench = Bench::new("chimes");
+    let folder = Folder::new("kit");
+    folder.give(&bench);
+    let (elsewhere, star) = elsewhere("star.obj", &star());
+    let at = |name: &str, content: &str| {
+        let file = elsewhere.path().join(name);
+        fs::write(&file, content).unwrap();
+        file
+    };
+    let ball = at("ball.obj", &write_obj(&gallery::sphere(120.0, 3)));
+    let files = [star, at("broken.obj", "f 1 2 3\n"), ball];
+    let mut harness = bench.harness();
+    hover(&mut harness, &files);
+    let promise = "Drop to make a kit of star.obj and 2 more";
+    assert!(harness.query_by_label(promise).is_some());
+    drop_files(&mut harness, &files);
+    wait(&mut harness, "C2  star");
+    wait(&mut harness, "C#2  ball");
+    assert!(harness.query_by_label_contains("broken.obj").is_some());
+    harness.run_steps(3);
+    for button in ["Preview", "Build"] {
+        harness.get_by_label(button).click();
+        harness.run_steps(3);
+    }
+    wait(&mut harness, "It plays");
+    let own = bench.controls.shelf().own().unwrap();
+    let keys: Vec<u8> = own.bank().bodies.iter().map(|body| body.key).collect();
+    assert_eq!(keys, [36, 37]);
+    // A further drop is a new sheet.
+    drop_files(&mut harness, &files[2..]);
+    wait(&mut harness, "ball.obj: ");
+    assert!(harness.query_by_label_contains("C2  star").is_none());
+    assert!(harness.query_by_label_contains("broken.obj").is_none());
+}
+
+#[test]
 fn of_several_banks_the_first_plays_and_all_lie_in_the_folder() {
     let bench = Bench::new("oak-bowls");
     let folder = Folder::new("dropped");

@@ -10,6 +10,7 @@ mod own;
 mod parameters;
 mod partials;
 mod playing;
+mod rough;
 mod scan;
 mod silence;
 mod state;

@@ -9,11 +9,11 @@ use clack_host::prelude::*;
 
 /// A plug-in as its audio thread sees it.
 pub struct Audio<'a> {
-    processor: &'a mut StartedPluginAudioProcessor<Handlers>,
+    pub(super) processor: &'a mut StartedPluginAudioProcessor<Handlers>,
     frames_played: &'a mut u64,
     ports: AudioPorts,
-    input: EventBuffer,
-    output: EventBuffer,
+    pub(super) input: EventBuffer,
+    pub(super) output: EventBuffer,
 }
 
 /// What the plug-in said about a block.

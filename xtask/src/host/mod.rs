@@ -7,6 +7,7 @@ mod library;
 mod param;
 mod plugin;
 mod port;
+mod raw;
 mod tuning;
 
 pub use audio::{Audio, Block, Take};
@@ -15,6 +16,7 @@ pub use library::{Descriptor, Library};
 pub use param::{Param, ParamId};
 pub use plugin::Plugin;
 pub use port::Port;
+pub use raw::Raw;
 
 pub use clack_host::events::event_types::NoteExpressionType;
 pub use clack_host::process::ProcessStatus;

@@ -38,8 +38,15 @@ impl Delivery {
 
     /// What happens if they are let go, in one line each.
     pub(super) fn promise(&self) -> Vec<String> {
+        let mesh = self.meshes.first().map(|first| match self.meshes.len() {
+            1 => format!("Drop to make an instrument of {}", name(first)),
+            count => format!(
+                "Drop to make a kit of {} and {} more",
+                name(first),
+                count - 1
+            ),
+        });
         let firsts = [
-            (&self.meshes, "make an instrument of"),
             (&self.banks, "play"),
             (&self.presets, "load"),
             (&self.scales, "tune by"),
@@ -50,7 +57,6 @@ impl Delivery {
             Some(format!("Drop to {deed} {}", name(first)))
         });
         let others = [
-            (&self.meshes, "mesh", "meshes", "into your folder"),
             (&self.banks, "bank", "banks", "into your folder"),
             (&self.presets, "preset", "presets", "among yours"),
         ];
@@ -71,7 +77,8 @@ impl Delivery {
             Some(format!("One {what} at a time: {} stays", name(unused)))
         });
         let strangers = self.strangers.first().map(|first| stranger(first));
-        firsts
+        mesh.into_iter()
+            .chain(firsts)
             .chain(others)
             .chain(unused)
             .chain(strangers)
@@ -124,9 +131,8 @@ mod tests {
         assert_eq!(
             promise(&["a.bank", "b.bank", "a.obj", "b.obj", "c.obj"]),
             [
-                "Drop to make an instrument of a.obj",
+                "Drop to make a kit of a.obj and 2 more",
                 "Drop to play a.bank",
-                "2 more meshes go into your folder",
                 "1 more bank goes into your folder",
             ]
         );

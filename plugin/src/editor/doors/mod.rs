@@ -105,11 +105,13 @@ fn take(delivery: Delivery, rooms: Rooms<'_>, setter: &ParamSetter<'_>) -> Vec<S
         note(tuned);
     }
     let mut banks = delivery.banks.into_iter();
-    let mut meshes = delivery.meshes.into_iter();
-    for first in banks.next().into_iter().chain(meshes.next()) {
+    if let Some(first) = banks.next() {
         instruments.open(first);
     }
-    instruments.library().offer(banks.chain(meshes));
+    instruments.library().offer(banks);
+    if !delivery.meshes.is_empty() {
+        instruments.shape(delivery.meshes);
+    }
     let notices = instruments.notices();
     notices.clear(Subject::Dropped);
     if let Some(first) = wrong.first() {

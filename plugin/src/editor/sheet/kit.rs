@@ -1,12 +1,14 @@
 //! The bodies of a sheet: one, or several on keys of their own.
 
-use super::piece::{Piece, RULES};
-use crate::mesher::Facts;
+use super::piece::Piece;
+use crate::mesher::{Facts, guessed_size_m};
 use modes::{FreeFineness, MeshOrder};
 use std::sync::Arc;
 
 /// Lowest and highest key that bodies are given of themselves.
 const KEYS: [u8; 2] = [36, 96];
+/// Bodies that have keys of their own from the lowest of those on.
+pub(super) const MOST: usize = 128 - KEYS[0] as usize;
 
 /// The bodies, and which of them is looked at.
 #[derive(Clone, Debug, Default)]
@@ -49,16 +51,30 @@ impl Kit {
         let Some(whole) = self.pieces.get(self.at) else {
             return;
         };
-        let nothing = RULES.iter().position(|(by, _)| *by == "nothing");
         let names = whole.facts.names();
         let each = names.into_iter().zip(KEYS[0]..=127).map(|(name, key)| {
             let mut piece = whole.clone();
             piece.choose(vec![name.to_owned()]);
-            piece.rule = nothing.unwrap_or_default();
-            piece.keys = [key, key];
+            piece.stand_alone(key);
             piece
         });
         self.pieces = each.collect();
+        (self.at, self.set) = (0, true);
+    }
+
+    /// Makes a kit of files that came together, as [`Kit::split`] does of objects: each body at its own pitch
+    /// on a key of its own, and as large beside the others as in their files.
+    pub(super) fn gather(&mut self) {
+        if self.pieces.len() < 2 {
+            return;
+        }
+        let longest = self.pieces.iter().map(|piece| piece.facts.longest(&[]));
+        let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
+        let unit_mm = 1e3 * guessed_size_m(longest) / longest;
+        for (piece, key) in self.pieces.iter_mut().zip(KEYS[0]..=127) {
+            piece.measure(unit_mm);
+            piece.stand_alone(key);
+        }
         (self.at, self.set) = (0, true);
     }
 
@@ -176,6 +192,28 @@ mod tests {
         assert_eq!(order.pieces[1].objects, ["snare"]);
         assert_eq!(order.pieces[1].by, "nothing");
         assert!(order.recipe("the kit").is_ok());
+    }
+
+    #[test]
+    fn files_that_come_together_become_drums_as_large_as_in_them() {
+        let mut kit = Kit::default();
+        // 200 units long and 15, which alone would be centimetres.
+        kit.add(facts(&["kick", "snare"]));
+        let mut bell = (*facts(&["bell"])).clone();
+        bell.objects[0].high = [15.0, 3.0, 1.0];
+        kit.add(Arc::new(bell));
+        let alone = kit.clone();
+        assert_eq!(alone.pieces[1].size_mm, 150.0);
+        kit.gather();
+        assert_eq!(keys(&kit), [[36, 36], [37, 37]]);
+        let sizes: Vec<f64> = kit.pieces.iter().map(|piece| piece.size_mm).collect();
+        assert_eq!(sizes, [200.0, 15.0], "both in millimetres");
+        let order = kit.order().unwrap();
+        assert!(order.pieces.iter().all(|piece| piece.by == "nothing"));
+        assert!(order.recipe("the kit").is_ok());
+        kit.remove(0);
+        kit.gather();
+        assert_eq!(keys(&kit), [[37, 37]], "one is no kit");
     }
 
     #[test]

@@ -65,7 +65,7 @@ impl Piece {
             material: USUAL,
             size_mm,
             hollow: false,
-            wall_mm: (WALL * size_mm).max(0.5),
+            wall_mm: usual_wall_mm(size_mm),
             up: facts.up.unwrap_or_default(),
             rule: 0,
             tuned: Tuned::Lowest,
@@ -80,6 +80,20 @@ impl Piece {
         let unit_mm = self.size_mm / self.facts.longest(&self.objects).max(f64::MIN_POSITIVE);
         self.objects = objects;
         self.size_mm = (unit_mm * self.facts.longest(&self.objects)).clamp(1.0, 10_000.0);
+    }
+
+    /// Sounds at its own pitch from now on, on one key.
+    pub(super) fn stand_alone(&mut self, key: u8) {
+        let nothing = RULES.iter().position(|(by, _)| *by == "nothing");
+        self.rule = nothing.unwrap_or_default();
+        self.keys = [key, key];
+    }
+
+    /// Is as large from now on as units of its file make it that are so long.
+    pub(super) fn measure(&mut self, unit_mm: f64) {
+        let longest = self.facts.longest(&self.objects);
+        self.size_mm = (unit_mm * longest).clamp(1.0, 10_000.0);
+        self.wall_mm = usual_wall_mm(self.size_mm);
     }
 
     /// Which objects are meant, in words; none of a file with but one.
@@ -123,4 +137,9 @@ impl Piece {
             },
         })
     }
+}
+
+/// The wall of a new body of that size, in mm.
+fn usual_wall_mm(size_mm: f64) -> f64 {
+    (WALL * size_mm).max(0.5)
 }
