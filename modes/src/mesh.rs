@@ -8,6 +8,8 @@ mod round;
 mod surface;
 mod tube;
 
+use crate::fem::{tet10_volume, wedge23_volume};
+
 pub use bar::{BarGrid, BarPart, bar_hex20};
 pub use blocks::{Block, blocks_tet10, brick_tet10};
 pub use cells::{cells_hex20, hollow_cube_hex20};
@@ -23,6 +25,21 @@ pub struct Mesh {
     pub nodes: Vec<[f64; 3]>,
     /// The elements.
     pub elements: Elements,
+}
+
+impl Mesh {
+    /// Volume of the curved tetrahedra or wedges, in m³; 0 of other elements.
+    pub(crate) fn volume_m3(&self) -> f64 {
+        let node = |node: u32| self.nodes[node as usize];
+        match &self.elements {
+            Elements::Tet10(tets) => tets.iter().map(|tet| tet10_volume(&tet.map(node))).sum(),
+            Elements::Wedge23(wedges) => {
+                let volume = |wedge: &[u32; 23]| wedge23_volume(&wedge.map(node));
+                wedges.iter().map(volume).sum()
+            }
+            Elements::Tet4(_) | Elements::Hex20(_) => 0.0,
+        }
+    }
 }
 
 /// Node numbers of each element.

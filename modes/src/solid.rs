@@ -17,6 +17,7 @@ mod quality;
 mod remesh;
 mod repair;
 mod resolution;
+mod sheet;
 mod shell;
 mod soup;
 mod stuffing;

@@ -58,15 +58,19 @@ pub(super) fn edge_m(
         .filter(|&t| own(t))
         .map(area_of)
         .sum();
-    let asked_m = match how.resolution {
-        Resolution::Nodes(most) => (NODES * area_m2 / most as f64).sqrt(),
-        Resolution::CellM(cell_m) => cell_m,
-    };
     let radius_m = area_m2 / bend_m(surface, features, own);
     let bent_m = (BENT * (wall_m * radius_m).sqrt()).min(ROUND * radius_m);
-    let edge_m = asked_m.min(bent_m).min(WIDEST * wall_m);
+    let edge_m = asked_m(area_m2, how).min(bent_m).min(WIDEST * wall_m);
     let needed = NODES * area_m2 / (edge_m * edge_m);
     (needed <= how.most_nodes as f64).then_some(edge_m)
+}
+
+/// How long edges on so much of one side are for the nodes asked for.
+pub(super) fn asked_m(area_m2: f64, how: &Meshing) -> f64 {
+    match how.resolution {
+        Resolution::Nodes(most) => (NODES * area_m2 / most as f64).sqrt(),
+        Resolution::CellM(cell_m) => cell_m,
+    }
 }
 
 /// The integral of curvature: the angles by which the smooth parts turn at edges, times their lengths in m.
@@ -86,7 +90,7 @@ fn bend_m(surface: &ClosedSurface, features: &Features, own: impl Fn(usize) -> b
 }
 
 /// Whether just the inner side of every triangle is inside, once.
-fn clean(surface: &ClosedSurface, body: &Body) -> bool {
+pub(super) fn clean(surface: &ClosedSurface, body: &Body) -> bool {
     if Edges::of(&surface.triangles).many_faced() > 0 {
         return false;
     }

@@ -7,12 +7,12 @@ use super::fit::{Curved, curve};
 use super::hollow::hollow;
 use super::quality::{dihedrals_deg, volume_length};
 use super::repair::length;
+use super::sheet::sheet;
 use super::shell::{Outer, Wall};
 use super::stuffing::Tets;
 use super::{ClosedSurface, MeshError, Meshing, Note, Quality, Resolution, resolution, shell};
 use crate::factory::Progress;
-use crate::fem::{tet10_volume, wedge23_volume};
-use crate::mesh::{Elements, Mesh};
+use crate::mesh::Mesh;
 
 /// Volume over that of the surface below which parts are said to be lost.
 const LOST: f64 = 0.97;
@@ -76,12 +76,18 @@ fn elements(
     progress: &dyn Progress,
     notes: &mut Vec<Note>,
 ) -> Result<(Curved, Tets), MeshError> {
+    if progress.advance(0, STEPS).is_break() {
+        return Err(MeshError::Cancelled);
+    }
+    if how.wall_m.is_none()
+        && let Some((wall, [thin_m, thick_m])) = sheet(surface, how)
+    {
+        notes.push(Note::Sheet { thin_m, thick_m });
+        return Ok(walled(wall, how, thin_m, notes));
+    }
     let features = Features::of(surface);
     if let (Some(wall_m), Some(outer)) = (how.wall_m, resolution::outer(surface, how)) {
         let (body, mut own) = (Body::new(surface, None), Vec::new());
-        if progress.advance(0, STEPS).is_break() {
-            return Err(MeshError::Cancelled);
-        }
         if let Some(wall) = hollow(surface, &body, &features, wall_m, how) {
             return Ok(walled(wall, how, wall_m, notes));
         }
@@ -151,24 +157,13 @@ fn quality(straight: &Tets, mesh: &Mesh, straight_share: f64) -> Quality {
         most = most.max(high);
         worst = worst.min(volume_length(corners));
     }
-    let volume_m3 = match &mesh.elements {
-        Elements::Tet10(tets) => tets
-            .iter()
-            .map(|tet| tet10_volume(&tet.map(|node| mesh.nodes[node as usize])))
-            .sum(),
-        Elements::Wedge23(wedges) => wedges
-            .iter()
-            .map(|wedge| wedge23_volume(&wedge.map(|node| mesh.nodes[node as usize])))
-            .sum(),
-        _ => 0.0,
-    };
     Quality {
         min_dihedral_deg: least,
         max_dihedral_deg: most,
         min_volume_length: worst,
         elements: straight.tets.len(),
         nodes: mesh.nodes.len(),
-        volume_m3,
+        volume_m3: mesh.volume_m3(),
         straight_share,
     }
 }

@@ -9,7 +9,7 @@ use super::quality::volume_length;
 use super::stuffing::Tets;
 use super::vector::{add, scale};
 use crate::mesh::Mesh;
-use cubic::Cubic;
+pub(super) use cubic::Cubic;
 pub(super) use outer::Outer;
 use std::collections::HashSet;
 
@@ -37,6 +37,33 @@ pub(super) struct Wall {
     /// Triangles that had to stay flat, over all.
     pub(super) flat_share: f64,
     pub(super) thinner: usize,
+}
+
+impl Wall {
+    /// Its volume in m³.
+    pub(super) fn volume_m3(&self) -> f64 {
+        self.mesh.volume_m3()
+    }
+}
+
+/// The wall between `outer` and where the arrows from its nodes lead to: these are told from the nodes and arrows that
+/// are one thickness deep below each smooth part. `None` where it folds, or there are no arrows.
+pub(super) fn between(
+    outer: &Outer,
+    arrows: impl Fn(&Cubic, &[[f64; 3]]) -> Option<Vec<[f64; 3]>>,
+) -> Option<Wall> {
+    let mut cubic = Cubic::of(outer);
+    let mut arrows = arrows(&cubic, &offset::offsets(outer, &cubic, 1.0))?;
+    let inner = outer.points.iter().zip(&arrows);
+    let inner: Vec<[f64; 3]> = inner.map(|(p, arrow)| add(*p, *arrow)).collect();
+    let straight = layers::straight(&outer.points, &inner, &outer.faces);
+    let (mesh, flat_share) = layers::curved(&mut cubic, &mut arrows)?;
+    Some(Wall {
+        mesh,
+        straight,
+        flat_share,
+        thinner: 0,
+    })
 }
 
 /// The wall `wall_m` thick within `outer`, one element through, thinner in edges so sharp that it folds.

@@ -2,6 +2,7 @@
 
 mod hostile;
 mod known;
+mod sheets;
 mod walls;
 
 use super::*;

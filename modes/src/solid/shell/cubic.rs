@@ -11,9 +11,9 @@ use std::collections::HashMap;
 const FARTHEST: f64 = 0.35;
 
 /// Cubic triangles.
-pub(super) struct Cubic {
+pub(in crate::solid) struct Cubic {
     /// The corners as in [`Outer::points`], then the others.
-    pub(super) points: Vec<[f64; 3]>,
+    pub(in crate::solid) points: Vec<[f64; 3]>,
     /// Nodes by [`CUBIC_SHARES`], counter-clockwise from outside.
     pub(super) faces: Vec<[u32; CUBIC_NODES]>,
 }
@@ -82,6 +82,27 @@ impl Cubic {
                 values[node as usize] = lerp(values[node as usize], even, by);
             }
         }
+    }
+
+    /// Whether each node is on an edge of only one triangle.
+    pub(in crate::solid) fn open_nodes(&self) -> Vec<bool> {
+        let mut triangles = vec![0; self.points.len()];
+        // The nodes between tell edges apart.
+        for face in &self.faces {
+            for node in &face[3..] {
+                triangles[*node as usize] += 1;
+            }
+        }
+        let mut open = vec![false; self.points.len()];
+        for face in &self.faces {
+            for side in SIDES {
+                let nodes = side.map(|k| face[k] as usize);
+                if triangles[nodes[2]] == 1 {
+                    nodes.into_iter().for_each(|node| open[node] = true);
+                }
+            }
+        }
+        open
     }
 
     /// Shortens the `arrows` of all nodes to the shares of their corners, evenly between these.
