@@ -10,6 +10,7 @@ mod meridian;
 mod pencil;
 mod tet10;
 mod tet4;
+mod wedge23;
 
 pub use assembly::assemble;
 pub use constrained::Constrained;
@@ -23,3 +24,6 @@ pub use pencil::{Pattern, Pencil};
 pub use tet4::TetMass;
 pub use tet10::TET10_EDGES;
 pub(crate) use tet10::{tet10_jacobians, tet10_volume};
+pub(crate) use wedge23::{
+    CUBIC_NODES, CUBIC_SHARES, WEDGE_NODES, cubic_gradients, wedge23_least_jacobian, wedge23_volume,
+};

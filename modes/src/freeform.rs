@@ -1,4 +1,4 @@
-//! Bodies of any shape: from a mesh of ten-node tetrahedra to modes, strike grid, surface and bank.
+//! Bodies of any shape: from a mesh to modes, strike grid, surface and bank.
 
 mod air;
 mod axes;

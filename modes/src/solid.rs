@@ -1,4 +1,5 @@
-//! Any closed shape as ten-node tetrahedra: a file's triangles repaired, then filled.
+//! Any closed shape as a mesh: a file's triangles repaired, then filled with ten-node tetrahedra, or given a wall of
+//! wedges.
 
 mod body;
 mod closed;
@@ -7,13 +8,16 @@ mod features;
 mod filling;
 mod fit;
 pub mod gallery;
+mod hollow;
 mod lattice;
 mod meshing;
 mod note;
 mod obj;
 mod quality;
+mod remesh;
 mod repair;
 mod resolution;
+mod sheet;
 mod shell;
 mod soup;
 mod stuffing;

@@ -4,6 +4,7 @@ use super::hex20::Hex20;
 use super::pencil::{Pattern, Pencil};
 use super::tet4::{Tet4, TetMass};
 use super::tet10::Tet10;
+use super::wedge23::Wedge23;
 use crate::mesh::{Elements, Mesh};
 use crate::{Material, SolveError};
 use std::sync::Arc;
@@ -51,6 +52,16 @@ pub fn assemble(mesh: &Mesh, material: &Material, mass: TetMass) -> Result<Penci
                 let element =
                     Hex20::new(&nodes, material).ok_or(SolveError::BadElement { index })?;
                 add(&mut pencil, hex, |i, j| {
+                    (&element.stiffness[i][j], element.mass[i][j])
+                });
+            }
+        }
+        Elements::Wedge23(wedges) => {
+            for (index, wedge) in wedges.iter().enumerate() {
+                let nodes = wedge.map(|node| mesh.nodes[node as usize]);
+                let element =
+                    Wedge23::new(&nodes, material).ok_or(SolveError::BadElement { index })?;
+                add(&mut pencil, wedge, |i, j| {
                     (&element.stiffness[i][j], element.mass[i][j])
                 });
             }

@@ -34,8 +34,8 @@ const ROWS: [usize; 2] = [12, 24];
 /// Places where a body lies or hangs: those of the strike grid that its lowest mode moves least.
 const HELD_AT: usize = 3;
 
-/// Solves a free body of any shape: every elastic mode within `limits`, on a mesh of ten-node
-/// tetrahedra. Modes are numbered by rising frequency.
+/// Solves a free body of any shape: every elastic mode within `limits`, on `mesh`.
+/// Modes are numbered by rising frequency.
 ///
 /// The strike grid goes around the body's longest axis, outside only. It is held where its lowest mode
 /// moves least; felt touches it where that moves most.

@@ -1,22 +1,27 @@
 //! The part of a mesh's boundary that the outside world sees.
 
 use super::axes::doubled_area;
-use crate::mesh::Mesh;
+use crate::mesh::{Face, Mesh};
+use std::ops::Range;
 
-/// Small triangles that the boundary face of a ten-node tetrahedron makes.
-const TO_A_FACE: usize = 4;
-
-/// The outer boundary: four small triangles to each face of an element, between its six nodes.
+/// The outer boundary: some small triangles to each face of an element, between its nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Outside {
     /// Small triangles of mesh nodes, counter-clockwise from outside, those of a face together.
     pub(super) triangles: Vec<[u32; 3]>,
+    /// Those of each face, and its corners.
+    faces: Vec<(Range<usize>, Vec<u32>)>,
 }
 
 impl Outside {
-    /// Of a mesh of ten-node tetrahedra: walls of closed cavities, which face inwards, are left out.
+    /// Of a mesh: walls of closed cavities, which face inwards, are left out.
     pub(super) fn of(mesh: &Mesh) -> Self {
-        let triangles = mesh.surface();
+        let all = mesh.faces();
+        let triangles: Vec<[u32; 3]> = all
+            .iter()
+            .flat_map(|face| &face.triangles)
+            .copied()
+            .collect();
         let piece = pieces(mesh.nodes.len(), &triangles);
         let mut volumes = vec![0.0; mesh.nodes.len()];
         for triangle in &triangles {
@@ -25,15 +30,40 @@ impl Outside {
             let cone: f64 = (0..3).map(|a| doubled[a] * corners[0][a]).sum();
             volumes[piece[triangle[0] as usize] as usize] += cone;
         }
-        let outer = |t: &[u32; 3]| volumes[piece[t[0] as usize] as usize] > 0.0;
-        Self {
-            triangles: triangles.into_iter().filter(outer).collect(),
+        let outer = |face: &Face| volumes[piece[face.corners[0] as usize] as usize] > 0.0;
+        let mut outside = Self {
+            triangles: Vec::new(),
+            faces: Vec::new(),
+        };
+        for mut face in all.into_iter().filter(outer) {
+            let first = outside.triangles.len();
+            outside.triangles.append(&mut face.triangles);
+            outside
+                .faces
+                .push((first..outside.triangles.len(), face.corners));
         }
+        outside
     }
 
     /// The faces, each as its small triangles.
     pub(super) fn faces(&self) -> impl Iterator<Item = &[[u32; 3]]> {
-        self.triangles.chunks_exact(TO_A_FACE)
+        self.faces
+            .iter()
+            .map(|(range, _)| &self.triangles[range.clone()])
+    }
+
+    /// As few triangles as there can be, between the faces' corners.
+    pub(super) fn coarse(&self) -> Vec<[u32; 3]> {
+        let fan = |corners: &[u32]| {
+            let first = corners[0];
+            let rest = corners[1..].windows(2);
+            rest.map(|pair| [first, pair[0], pair[1]])
+                .collect::<Vec<_>>()
+        };
+        self.faces
+            .iter()
+            .flat_map(|(_, corners)| fan(corners))
+            .collect()
     }
 }
 

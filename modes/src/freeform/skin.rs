@@ -16,13 +16,13 @@ pub(super) struct Skin {
 }
 
 impl Skin {
-    /// Of the boundary's faces: in four triangles each, or in one if that would be too many.
+    /// Of the boundary's faces: in all their small triangles, or as few as can be if those would be too many.
     pub(super) fn of(outside: &Outside) -> Self {
         let fine = outside.triangles.len() <= MOST_TRIANGLES;
         let drawn: Vec<[u32; 3]> = if fine {
             outside.triangles.clone()
         } else {
-            outside.faces().map(corners).collect()
+            outside.coarse()
         };
         let (mut nodes, mut known) = (Vec::new(), HashMap::new());
         let triangles = drawn
@@ -68,23 +68,13 @@ pub(super) fn displacement(vector: &[f64], node: u32) -> [f64; 3] {
     [0, 1, 2].map(|a| vector[3 * node as usize + a])
 }
 
-/// The corners of a face of four small triangles: each of the first three holds one beside two middles
-/// that the last one joins.
-fn corners(face: &[[u32; 3]]) -> [u32; 3] {
-    let middle = face[face.len() - 1];
-    [0, 1, 2].map(|i| {
-        let own = face[i].iter().find(|node| !middle.contains(node));
-        *own.unwrap_or(&face[i][0])
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::mesh::ball_tet10;
 
     #[test]
-    fn faces_in_one_have_the_corners_of_faces_in_four() {
+    fn faces_in_one_lie_within_faces_in_four() {
         let mesh = ball_tet10(0.1, 2, 1);
         let outside = Outside::of(&mesh);
         let area = |triangles: &[[u32; 3]]| -> f64 {
@@ -94,8 +84,7 @@ mod tests {
                 .map(|t| super::super::axes::area_m2(&place(t)))
                 .sum()
         };
-        let coarse: Vec<[u32; 3]> = outside.faces().map(corners).collect();
-        let (fine, coarse) = (area(&outside.triangles), area(&coarse));
+        let (fine, coarse) = (area(&outside.triangles), area(&outside.coarse()));
         assert!(coarse < fine && coarse > 0.9 * fine, "{coarse} {fine}");
     }
 }

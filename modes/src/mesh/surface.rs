@@ -1,17 +1,31 @@
 //! The outside of a mesh.
 
 use super::{Elements, Mesh};
-use crate::fem::{HEX20_NODES, TET10_EDGES};
+use crate::fem::{CUBIC_NODES, HEX20_NODES, TET10_EDGES, WEDGE_NODES};
 use std::collections::HashMap;
 
 /// Faces of a tetrahedron, counter-clockwise from outside.
 pub(crate) const TET_FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
 
+/// One element's face on the surface of a mesh.
+pub(crate) struct Face {
+    /// Its corners, counter-clockwise from outside.
+    pub(crate) corners: Vec<u32>,
+    /// The small triangles between its nodes.
+    pub(crate) triangles: Vec<[u32; 3]>,
+}
+
 impl Mesh {
-    /// Triangles of the surface, counter-clockwise from outside. A face with mid-side
-    /// nodes gives one to each corner and those in between: four of six nodes, six of eight.
+    /// Triangles of the surface, counter-clockwise from outside. A face with nodes between its corners
+    /// gives one to each corner and those in between: four of six nodes, six of eight, nine of ten.
     #[must_use]
     pub fn surface(&self) -> Vec<[u32; 3]> {
+        let faces = self.faces().into_iter();
+        faces.flat_map(|face| face.triangles).collect()
+    }
+
+    /// Faces of the surface.
+    pub(crate) fn faces(&self) -> Vec<Face> {
         let faces: Vec<Vec<u32>> = match &self.elements {
             Elements::Tet4(tets) => tets
                 .iter()
@@ -23,6 +37,7 @@ impl Mesh {
                     .flat_map(|tet| local.map(|face| face.map(|i| tet[i]).to_vec()))
                     .collect()
             }
+            Elements::Wedge23(wedges) => wedges.iter().flat_map(wedge_faces).collect(),
             Elements::Hex20(hexes) => {
                 let local = hex_faces();
                 hexes
@@ -40,22 +55,71 @@ impl Mesh {
         for face in &faces {
             *seen.entry(sorted(face)).or_default() += 1;
         }
-        faces
-            .iter()
-            .filter(|face| seen[&sorted(face)] == 1)
-            .flat_map(|face| match face[..] {
-                [p, q, r] => vec![[p, q, r]],
-                // Corners and edge middles in turn.
-                _ => {
-                    let n = face.len();
-                    let corner = |i| [face[(i + n - 1) % n], face[i], face[i + 1]];
-                    let between = |i| [face[1], face[i + 1], face[i + 3]];
-                    let corners = (0..n).step_by(2).map(corner);
-                    corners.chain((2..n - 2).step_by(2).map(between)).collect()
-                }
-            })
-            .collect()
+        let outer = faces.iter().filter(|face| seen[&sorted(face)] == 1);
+        let rims = matches!(self.elements, Elements::Wedge23(_));
+        outer.map(|face| cut(face, rims)).collect()
     }
+}
+
+/// A face of these nodes cut into triangles; one of eight nodes is a wedge's where there are `rims`.
+fn cut(face: &[u32], rims: bool) -> Face {
+    let n = face.len();
+    let every = |step: usize| face.iter().copied().step_by(step).collect();
+    match *face {
+        [p, q, r] => Face {
+            corners: every(1),
+            triangles: vec![[p, q, r]],
+        },
+        [p, pq, qp, q, qr, rq, r, rp, pr, middle] => Face {
+            corners: vec![p, q, r],
+            triangles: [
+                [p, pq, pr],
+                [q, qr, qp],
+                [r, rp, rq],
+                [pq, qp, middle],
+                [qp, qr, middle],
+                [qr, rq, middle],
+                [rq, rp, middle],
+                [rp, pr, middle],
+                [pr, pq, middle],
+            ]
+            .into(),
+        },
+        [p, pq, qp, q, r, rs, sr, s] if rims => Face {
+            corners: vec![p, q, r, s],
+            triangles: [[p, pq, sr, s], [pq, qp, rs, sr], [qp, q, r, rs]]
+                .into_iter()
+                .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
+                .collect(),
+        },
+        // Corners and edge middles in turn.
+        _ => {
+            let corner = |i| [face[(i + n - 1) % n], face[i], face[i + 1]];
+            let between = |i| [face[1], face[i + 1], face[i + 3]];
+            let corners = (0..n).step_by(2).map(corner);
+            Face {
+                triangles: corners.chain((2..n - 2).step_by(2).map(between)).collect(),
+                corners: every(2),
+            }
+        }
+    }
+}
+
+/// Nodes of a wedge's five faces, counter-clockwise from outside: on either side corner, two between,
+/// corner, … and the middle; across the wall those along its two sides.
+fn wedge_faces(wedge: &[u32; WEDGE_NODES]) -> [Vec<u32>; 5] {
+    let of = |local: &[usize]| local.iter().map(|&i| wedge[i]).collect();
+    let rim = |[p, pq, qp, q]: [usize; 4]| {
+        let over = |i: usize| i + CUBIC_NODES;
+        of(&[p, pq, qp, q, over(q), over(qp), over(pq), over(p)])
+    };
+    [
+        of(&[0, 8, 7, 2, 6, 5, 1, 4, 3, 9]),
+        of(&[0, 3, 4, 1, 5, 6, 2, 7, 8, 9].map(|i| i + CUBIC_NODES)),
+        rim([0, 3, 4, 1]),
+        rim([1, 5, 6, 2]),
+        rim([2, 7, 8, 0]),
+    ]
 }
 
 /// Corner, middle, corner, … of a ten-node tetrahedron's face with these corners.

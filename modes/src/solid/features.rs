@@ -38,13 +38,18 @@ impl Features {
             }
             _ => false,
         };
-        let patch = patches(&edges, surface.triangles.len(), &sharp);
+        Self::between(surface, patches(&edges, surface.triangles.len(), &sharp))
+    }
+
+    /// The edges between triangles of different `patch` as the sharp ones.
+    pub(super) fn between(surface: &ClosedSurface, patch: Vec<u32>) -> Self {
         let (mut lines, mut beside) = (Vec::new(), Vec::new());
-        for sides in edges.iter().filter(|sides| sharp(sides)) {
-            let mut pair = [0, 1].map(|i| patch[sides[i].triangle as usize]);
+        for sides in Edges::of(&surface.triangles).iter() {
+            let [first, second] = sides else { continue };
+            let mut pair = [first, second].map(|side| patch[side.triangle as usize]);
             pair.sort_unstable();
             if pair[0] != pair[1] {
-                lines.push(sides[0].edge);
+                lines.push(first.edge);
                 beside.push(pair);
             }
         }

@@ -51,7 +51,7 @@ pub(super) struct Fit<'a> {
     /// Points next to each point; along the boundary for one that is on it.
     beside: Lists,
     /// A cell's longest side, in m.
-    cell_m: f64,
+    pub(super) cell_m: f64,
     /// Points whose goals were given up.
     barred: HashSet<usize>,
 }

@@ -4,13 +4,15 @@ use super::body::Body;
 use super::features::Features;
 use super::filling::{STEPS, fitted};
 use super::fit::{Curved, curve};
+use super::hollow::hollow;
 use super::quality::{dihedrals_deg, volume_length};
 use super::repair::length;
+use super::sheet::sheet;
+use super::shell::{Outer, Wall};
 use super::stuffing::Tets;
 use super::{ClosedSurface, MeshError, Meshing, Note, Quality, Resolution, resolution, shell};
 use crate::factory::Progress;
-use crate::fem::tet10_volume;
-use crate::mesh::{Elements, Mesh};
+use crate::mesh::Mesh;
 
 /// Volume over that of the surface below which parts are said to be lost.
 const LOST: f64 = 0.97;
@@ -21,11 +23,8 @@ const MORE: f64 = 1.4;
 /// A meshed body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meshed {
-    /// Ten-node tetrahedra, in m.
+    /// Ten-node tetrahedra, or the wedges of a thin wall, in m.
     pub mesh: Mesh,
-    /// Triangles of its boundary: three corners, counter-clockwise from outside, then the nodes in
-    /// the middle of their three edges in turn.
-    pub boundary: Vec<[u32; 6]>,
     /// The surface that was filled, in m.
     pub surface: ClosedSurface,
     /// The elements' shapes.
@@ -34,7 +33,7 @@ pub struct Meshed {
     pub notes: Vec<Note>,
 }
 
-/// Fills `surface` with ten-node tetrahedra, its sharp edges kept and its curved sides followed by the
+/// Fills `surface` with ten-node tetrahedra, or makes a thin wall within it of wedges, its sharp edges kept and its curved sides followed by the
 /// nodes in the middle of edges.
 ///
 /// # Errors
@@ -47,12 +46,13 @@ pub fn mesh_solid(
 ) -> Result<Meshed, MeshError> {
     check(surface, how)?;
     let mut notes = surface.notes.clone();
-    let (curved, straight) = elements(surface, how, progress, &mut notes)?;
-    let Curved {
-        mesh,
-        boundary,
-        straight_share,
-    } = curved;
+    let (
+        Curved {
+            mesh,
+            straight_share,
+        },
+        straight,
+    ) = elements(surface, how, progress, &mut notes)?;
     let quality = quality(&straight, &mesh, straight_share);
     let share = quality.volume_m3 / surface.volume_m3();
     if how.wall_m.is_none() && share < LOST && !notes.contains(&Note::Overlaps) {
@@ -63,7 +63,6 @@ pub fn mesh_solid(
     }
     Ok(Meshed {
         mesh,
-        boundary,
         surface: surface.clone(),
         quality,
         notes,
@@ -77,20 +76,26 @@ fn elements(
     progress: &dyn Progress,
     notes: &mut Vec<Note>,
 ) -> Result<(Curved, Tets), MeshError> {
+    if progress.advance(0, STEPS).is_break() {
+        return Err(MeshError::Cancelled);
+    }
+    if how.wall_m.is_none()
+        && let Some((wall, [thin_m, thick_m])) = sheet(surface, how)
+    {
+        notes.push(Note::Sheet { thin_m, thick_m });
+        return Ok(walled(wall, how, thin_m, notes));
+    }
     let features = Features::of(surface);
     if let (Some(wall_m), Some(outer)) = (how.wall_m, resolution::outer(surface, how)) {
         let (body, mut own) = (Body::new(surface, None), Vec::new());
+        if let Some(wall) = hollow(surface, &body, &features, wall_m, how) {
+            return Ok(walled(wall, how, wall_m, notes));
+        }
         match fitted(surface, &body, &features, &outer, progress, &mut own) {
             Ok(fit) => {
-                if let Some(wall) = shell::wall(&body, &curve(&fit), &fit, wall_m) {
+                if let Some(wall) = shell::wall(&Outer::of(&fit), wall_m) {
                     notes.append(&mut own);
-                    if wall.thinner > 0 {
-                        notes.push(Note::Thinner {
-                            points: wall.thinner,
-                        });
-                    }
-                    notes.extend(finer(how, wall_m, wall.curved.mesh.nodes.len()));
-                    return Ok((wall.curved, wall.straight));
+                    return Ok(walled(wall, how, wall_m, notes));
                 }
             }
             Err(MeshError::Cancelled) => return Err(MeshError::Cancelled),
@@ -101,6 +106,21 @@ fn elements(
     let body = Body::new(surface, how.wall_m);
     let fit = fitted(surface, &body, &features, how, progress, notes)?;
     Ok((curve(&fit), fit.mesh))
+}
+
+/// The elements of a wall, and what its owner should know.
+fn walled(wall: Wall, how: &Meshing, wall_m: f64, notes: &mut Vec<Note>) -> (Curved, Tets) {
+    if wall.thinner > 0 {
+        notes.push(Note::Thinner {
+            points: wall.thinner,
+        });
+    }
+    notes.extend(finer(how, wall_m, wall.mesh.nodes.len()));
+    let curved = Curved {
+        mesh: wall.mesh,
+        straight_share: wall.flat_share,
+    };
+    (curved, wall.straight)
 }
 
 /// That a wall has more nodes than were asked for, its wedges being no wider.
@@ -137,20 +157,13 @@ fn quality(straight: &Tets, mesh: &Mesh, straight_share: f64) -> Quality {
         most = most.max(high);
         worst = worst.min(volume_length(corners));
     }
-    let volume_m3 = match &mesh.elements {
-        Elements::Tet10(tets) => tets
-            .iter()
-            .map(|tet| tet10_volume(&tet.map(|node| mesh.nodes[node as usize])))
-            .sum(),
-        _ => 0.0,
-    };
     Quality {
         min_dihedral_deg: least,
         max_dihedral_deg: most,
         min_volume_length: worst,
         elements: straight.tets.len(),
         nodes: mesh.nodes.len(),
-        volume_m3,
+        volume_m3: mesh.volume_m3(),
         straight_share,
     }
 }

@@ -91,6 +91,13 @@ pub enum Note {
         /// The wall, in m.
         wall_m: f64,
     },
+    /// The body is a thin sheet and was taken as one.
+    Sheet {
+        /// The least thickness of all but a small share of it, in m.
+        thin_m: f64,
+        /// The greatest thickness of all but a small share of it, in m.
+        thick_m: f64,
+    },
     /// The wall is thinner than asked where it would fold.
     Thinner {
         /// At how many points of the surface.
@@ -185,6 +192,12 @@ impl Display for Note {
                     1e3 * wall_m
                 )
             }
+            Self::Sheet { thin_m, thick_m } => write!(
+                f,
+                "taken as a sheet {:.2} to {:.2} mm thick: wedges go from wall to wall",
+                1e3 * thin_m,
+                1e3 * thick_m
+            ),
             Self::Thinner { points } => write!(
                 f,
                 "the wall is thinner than asked at {points} points, in edges too sharp for it"

@@ -17,8 +17,8 @@ pub struct Quality {
     pub nodes: usize,
     /// Volume of the curved elements, in m³.
     pub volume_m3: f64,
-    /// Edges that had to stay straight: of a filled body over those of its boundary, of a wall over its
-    /// nodes.
+    /// Edges that had to stay straight: of a filled body over those of its boundary; of a wall
+    /// the triangles, over all.
     pub straight_share: f64,
 }
 

@@ -14,10 +14,10 @@ const RESOLVES: f64 = 0.9;
 const FLATTEST: f64 = 2.5;
 
 /// Nodes of a wall of wedges over its area in cells squared.
-const WEDGES: f64 = 26.0;
+const WEDGES: f64 = 41.0;
 
 /// Sides of a wedge over its height, at most.
-const WIDEST: f64 = 5.0;
+const WIDEST: f64 = 8.0;
 
 /// How a body is meshed.
 #[derive(Clone, Copy, Debug, PartialEq)]

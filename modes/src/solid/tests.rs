@@ -2,6 +2,7 @@
 
 mod hostile;
 mod known;
+mod sheets;
 mod walls;
 
 use super::*;
@@ -41,7 +42,7 @@ fn hollow(wall_m: f64, most: usize) -> Meshing {
 /// The area of the boundary's curved triangles, each in 64 flat ones.
 fn area_m2(meshed: &Meshed) -> f64 {
     const STEPS: u32 = 8;
-    let place = |face: &[u32; 6], i: u32, j: u32| {
+    let place = |face: [u32; 6], i: u32, j: u32| {
         let [s, t] = [i, j].map(|k| f64::from(k) / f64::from(STEPS));
         let r = 1.0 - s - t;
         let corner = |l: f64| l * (2.0 * l - 1.0);
@@ -60,7 +61,10 @@ fn area_m2(meshed: &Meshed) -> f64 {
         })
     };
     let mut area = 0.0;
-    for face in &meshed.boundary {
+    for face in meshed.mesh.faces() {
+        // The three small triangles at its corners begin with the middle of the side before.
+        let [first, second, third] = [0, 1, 2].map(|k| face.triangles[k]);
+        let face = [first[1], second[1], third[1], first[2], second[2], third[2]];
         for i in 0..STEPS {
             for j in 0..STEPS - i {
                 let [p, q, r] = [[i, j], [i + 1, j], [i, j + 1]].map(|[i, j]| place(face, i, j));

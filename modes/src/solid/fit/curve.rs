@@ -19,8 +19,6 @@ const HALVINGS: usize = 3;
 /// A mesh of ten-node tetrahedra.
 pub(in crate::solid) struct Curved {
     pub(in crate::solid) mesh: Mesh,
-    /// Corners, then the middles of their three edges in turn, outward.
-    pub(in crate::solid) boundary: Vec<[u32; 6]>,
     /// Edges of the boundary left straight, over all.
     pub(in crate::solid) straight_share: f64,
 }
@@ -47,14 +45,6 @@ pub(in crate::solid) fn curve(fit: &Fit) -> Curved {
             })
         })
         .collect();
-    let boundary: Vec<[u32; 6]> = fit
-        .boundary
-        .iter()
-        .map(|&([a, b, c], _)| {
-            let middle = |p, q| middles[&sorted([p, q])];
-            [a, b, c, middle(a, b), middle(b, c), middle(c, a)]
-        })
-        .collect();
     let goals = goals(fit, &middles);
     let straight = bend(&mut nodes, &tets, &goals);
     Curved {
@@ -63,7 +53,6 @@ pub(in crate::solid) fn curve(fit: &Fit) -> Curved {
             nodes,
             elements: Elements::Tet10(tets),
         },
-        boundary,
     }
 }
 

@@ -1,211 +1,101 @@
-//! Two layers of points and what joins them.
+//! Two layers of nodes and the wedges between them.
 
-use crate::fem::{TET10_EDGES, tet10_jacobians};
+use super::cubic::Cubic;
+use crate::fem::{CUBIC_NODES, WEDGE_NODES, wedge23_least_jacobian};
 use crate::mesh::{Elements, Mesh};
-use crate::solid::fit::Curved;
 use crate::solid::stuffing::{Tets, wedge};
-use crate::solid::vector::{add, lerp, norm, scale, six_volumes, unit};
+use crate::solid::vector::{add, lerp, six_volumes};
 use std::collections::{HashMap, HashSet};
 
-/// The least Jacobian of a curved element over that of the straight one.
+/// The least Jacobian of a curved wedge over the mean of the straight one.
 const LEAST: f64 = 0.1;
 
-/// Rounds of straightening edges.
+/// Rounds of straightening wedges.
 const STRAIGHTENINGS: usize = 6;
 
-/// How alike, over their length, two arrows are that differ only in their way.
-const ALIKE: f64 = 1e-3;
-
-/// A point of the wall: on the outer or the inner layer, by its number in the surface.
-#[derive(Clone, Copy)]
-struct Corner {
-    inner: bool,
-    base: u32,
+/// The triangles' corners twice: the outer ones, then the inner ones in the same order.
+pub(super) fn straight(outer: &[[f64; 3]], inner: &[[f64; 3]], faces: &[[u32; 3]]) -> Tets {
+    let mut tets = Vec::with_capacity(3 * faces.len());
+    for face in faces {
+        let [a, b, c] = *face;
+        let below = face.map(|corner| corner + outer.len() as u32);
+        // By number, so that neighbours agree and no three diagonals go round in a circle.
+        let down = [a < b, b < c, c < a];
+        wedge(below, *face, down, &mut |tet| tets.push(tet));
+    }
+    let points = outer.iter().chain(inner).copied().collect();
+    Tets { points, tets }
 }
 
-/// The surface's triangles, twice.
-pub(super) struct Layers {
-    /// Triangles of the surface: corners, then middles of edges.
-    faces: Vec<[u32; 6]>,
-    /// The middle of each edge.
-    middles: HashMap<[u32; 2], u32>,
-    /// Places on the outer and the inner layer of each point of the surface.
-    places: HashMap<u32, [[f64; 3]; 2]>,
-    /// Its number on the outer layer; on the inner it is one more.
-    numbers: HashMap<u32, u32>,
+/// The surface's corners under tetrahedra for which `bad` holds.
+pub(super) fn corners_where(tets: &Tets, bad: impl Fn([[f64; 3]; 4]) -> bool) -> HashSet<u32> {
+    let outer = tets.points.len() as u32 / 2;
+    let places = |tet: &[u32; 4]| tet.map(|i| tets.points[i as usize]);
+    let bad = tets.tets.iter().filter(|tet| bad(places(tet)));
+    bad.flat_map(|tet| tet.map(|i| i % outer)).collect()
 }
 
-impl Layers {
-    /// Of the boundary of `filled`, whose corners are moved by `offsets`; the middles of edges follow.
-    pub(super) fn new(filled: &Curved, offsets: &HashMap<u32, [f64; 3]>) -> Self {
-        let mut layers = Self {
-            faces: filled.boundary.clone(),
-            middles: HashMap::new(),
-            places: HashMap::new(),
-            numbers: HashMap::new(),
+/// Curved wedges between the surface's nodes and those moved by `arrows`, and the share of triangles made flat
+/// because their wedges would have been turned inside out; `None` if that is not enough.
+pub(super) fn curved(cubic: &mut Cubic, arrows: &mut [[f64; 3]]) -> Option<(Mesh, f64)> {
+    let mut flat = HashSet::new();
+    for round in 1..=STRAIGHTENINGS {
+        let mesh = wedges(cubic, arrows);
+        let Elements::Wedge23(wedges) = &mesh.elements else {
+            return None;
         };
-        // Corners first, so that a mesh with straight edges has the first numbers.
-        for face in &filled.boundary {
-            for &base in &face[..3] {
-                layers.place(base, filled.mesh.nodes[base as usize], offsets[&base]);
-            }
-        }
-        for face in &filled.boundary {
-            for (k, &base) in face[3..].iter().enumerate() {
-                let ends = [face[k], face[(k + 1) % 3]];
-                layers.middles.insert(sorted(ends), base);
-                let [d, e] = ends.map(|end| offsets[&end]);
-                let arrow = between(d, e);
-                layers.place(base, filled.mesh.nodes[base as usize], arrow);
-            }
-        }
-        layers
-    }
-
-    fn place(&mut self, base: u32, outer: [f64; 3], arrow: [f64; 3]) {
-        let next = 2 * self.numbers.len() as u32;
-        self.numbers.entry(base).or_insert(next);
-        self.places.insert(base, [outer, add(outer, arrow)]);
-    }
-
-    fn number(&self, corner: Corner) -> u32 {
-        self.numbers[&corner.base] + u32::from(corner.inner)
-    }
-
-    /// The point of the surface in the middle of an edge's ends, or above both if they lie over each
-    /// other.
-    fn middle(&self, ends: [Corner; 2]) -> u32 {
-        match ends[0].base == ends[1].base {
-            true => ends[0].base,
-            false => self.middles[&sorted(ends.map(|end| end.base))],
-        }
-    }
-
-    /// The wedges' tetrahedra.
-    fn tets(&self) -> Vec<[Corner; 4]> {
-        let mut tets = Vec::with_capacity(3 * self.faces.len());
-        for &[a, b, c, ..] in &self.faces {
-            let layer = |inner| [a, b, c].map(|base| Corner { inner, base });
-            // By number, so that neighbours agree and no three diagonals go round in a circle.
-            let down = [a < b, b < c, c < a];
-            wedge(layer(true), layer(false), down, &mut |tet| tets.push(tet));
-        }
-        tets
-    }
-
-    /// Points of both layers by their numbers.
-    fn points(&self) -> Vec<[f64; 3]> {
-        let mut points = vec![[0.0; 3]; 2 * self.numbers.len()];
-        for (base, &number) in &self.numbers {
-            let [outer, inner] = self.places[base];
-            points[number as usize] = outer;
-            points[number as usize + 1] = inner;
-        }
-        points
-    }
-
-    /// The surface's corners under tetrahedra for which `bad` holds.
-    pub(super) fn corners_where(&self, bad: impl Fn([u32; 4]) -> bool) -> HashSet<u32> {
-        let tets = self.tets().into_iter();
-        tets.filter(|tet| bad(tet.map(|corner| self.number(corner))))
-            .flat_map(|tet| tet.map(|corner| corner.base))
-            .collect()
-    }
-
-    /// With straight edges.
-    pub(super) fn straight(&self) -> Tets {
-        let tets = self.tets().into_iter();
-        Tets {
-            points: self.points(),
-            tets: tets
-                .map(|tet| tet.map(|corner| self.number(corner)))
-                .collect(),
-        }
-    }
-
-    /// With the middles of edges on the curved layers where no element is turned inside out.
-    pub(super) fn curved(&self) -> Option<Curved> {
-        let mut nodes = self.points();
-        let mut between: HashMap<[u32; 2], u32> = HashMap::new();
-        let mut tets = Vec::new();
-        for tet in self.tets() {
-            tets.push(std::array::from_fn(|node| {
-                if node < 4 {
-                    return self.number(tet[node]);
-                }
-                let ends = TET10_EDGES[node - 4].map(|corner| tet[corner]);
-                let (inner, base) = (ends[0].inner, self.middle(ends));
-                if inner == ends[1].inner {
-                    return self.number(Corner { inner, base });
-                }
-                let key = sorted(ends.map(|end| self.number(end)));
-                *between.entry(key).or_insert_with(|| {
-                    let [outer, inner] = self.places[&base];
-                    nodes.push(lerp(outer, inner, 0.5));
-                    nodes.len() as u32 - 1
-                })
-            }));
-        }
-        let straight = straighten(&mut nodes, &tets)?;
-        Some(Curved {
-            boundary: self.boundary(),
-            straight_share: straight as f64 / nodes.len() as f64,
-            mesh: Mesh {
-                nodes,
-                elements: Elements::Tet10(tets),
-            },
-        })
-    }
-
-    /// Both layers' triangles, outward from the wall.
-    fn boundary(&self) -> Vec<[u32; 6]> {
-        let layer = |face: [u32; 6], inner| face.map(|base| self.number(Corner { inner, base }));
-        let outer = self.faces.iter().map(|&face| layer(face, false));
-        let inner = self.faces.iter();
-        let inner = inner.map(|&[a, b, c, ab, bc, ca]| layer([a, c, b, ca, bc, ab], true));
-        outer.chain(inner).collect()
-    }
-}
-
-/// Straightens the edges of elements that are bent inside out, and of those that this bends; returns
-/// how many, `None` if that goes on.
-fn straighten(nodes: &mut [[f64; 3]], tets: &[[u32; 10]]) -> Option<usize> {
-    let mut straight = HashSet::new();
-    for _ in 0..STRAIGHTENINGS {
-        let unsound = |tet: &&[u32; 10]| {
-            let places = tet.map(|node| nodes[node as usize]);
-            let straight = six_volumes([places[0], places[1], places[2], places[3]]);
-            let jacobians = tet10_jacobians(&places);
-            jacobians
-                .iter()
-                .any(|jacobian| *jacobian < LEAST * straight)
-        };
-        let bad: Vec<&[u32; 10]> = tets.iter().filter(unsound).collect();
+        let bad: Vec<usize> = (0..wedges.len())
+            .filter(|&face| !sound(&wedges[face].map(|node| mesh.nodes[node as usize])))
+            .collect();
         if bad.is_empty() {
-            return Some(straight.len());
+            let share = flat.len() as f64 / cubic.faces.len() as f64;
+            return Some((mesh, share));
         }
-        for tet in bad {
-            for (edge, &node) in TET10_EDGES.iter().zip(&tet[4..]) {
-                let [p, q] = edge.map(|corner| nodes[tet[corner] as usize]);
-                nodes[node as usize] = lerp(p, q, 0.5);
-                straight.insert(node);
-            }
+        for face in bad {
+            cubic.flatten(face, arrows, round + 1 >= STRAIGHTENINGS);
+            flat.insert(face);
         }
     }
     None
 }
 
-/// The arrow halfway between two: as long as they are where they turn along a round part, their middle
-/// where one leads to the edge of a flat one.
-fn between(d: [f64; 3], e: [f64; 3]) -> [f64; 3] {
-    let middle = scale(add(d, e), 0.5);
-    if (norm(d) - norm(e)).abs() < ALIKE * norm(d) {
-        scale(unit(middle), norm(d))
-    } else {
-        middle
-    }
+/// Whether the wedge's Jacobian keeps well above 0.
+fn sound(nodes: &[[f64; 3]; WEDGE_NODES]) -> bool {
+    let [a, b, c] = [0, 1, 2].map(|k| nodes[k]);
+    let [d, e, f] = [0, 1, 2].map(|k| nodes[CUBIC_NODES + k]);
+    let tets = [[a, b, c, f], [a, b, f, e], [a, e, f, d]];
+    // The triangle's coordinates and the height's span a volume of one.
+    let mean = tets.into_iter().map(six_volumes).sum::<f64>() / 6.0;
+    wedge23_least_jacobian(nodes) > LEAST * mean
 }
 
-fn sorted([p, q]: [u32; 2]) -> [u32; 2] {
-    [p.min(q), p.max(q)]
+fn wedges(cubic: &Cubic, arrows: &[[f64; 3]]) -> Mesh {
+    let inner = cubic.points.len() as u32;
+    let moved = cubic
+        .points
+        .iter()
+        .zip(arrows)
+        .map(|(p, arrow)| add(*p, *arrow));
+    let mut nodes: Vec<[f64; 3]> = cubic.points.iter().copied().chain(moved).collect();
+    let mut between: HashMap<u32, u32> = HashMap::new();
+    let mut wedges = Vec::with_capacity(cubic.faces.len());
+    for face in &cubic.faces {
+        let mut wedge = [0; WEDGE_NODES];
+        for (k, &node) in face.iter().enumerate() {
+            wedge[k] = node + inner;
+            wedge[CUBIC_NODES + k] = node;
+        }
+        for (k, &node) in face[..3].iter().enumerate() {
+            wedge[2 * CUBIC_NODES + k] = *between.entry(node).or_insert_with(|| {
+                let [above, below] = [node, node + inner].map(|i| nodes[i as usize]);
+                nodes.push(lerp(above, below, 0.5));
+                nodes.len() as u32 - 1
+            });
+        }
+        wedges.push(wedge);
+    }
+    Mesh {
+        nodes,
+        elements: Elements::Wedge23(wedges),
+    }
 }

@@ -48,7 +48,13 @@ fn thin_walls_have_their_volumes() {
         println!("  volume {:.1e}", share - 1.0);
         assert!((share - 1.0).abs() < error, "{name}: {share}");
         assert!(meshed.quality.nodes < 18_000);
-        assert!(meshed.quality.min_dihedral_deg > 8.0);
+        // Wedges are wider than high, and flat where they are; few are spoilt by it.
+        assert!(meshed.quality.min_dihedral_deg > 4.0);
+        assert!(meshed.quality.straight_share < 0.01);
+        if name == "cube" {
+            let outside = closed::signed_volume(&meshed.mesh.nodes, &meshed.mesh.surface());
+            assert!((outside / volume_m3 - 1.0).abs() < 1e-9, "{outside}");
+        }
     }
 }
 
@@ -76,7 +82,7 @@ fn a_wall_that_fills_the_body_is_said_to() {
 /// A star's tips are sharper than its wall is thick: the wall is thinner there, and said to be.
 #[test]
 fn a_wall_does_not_fold_in_sharp_edges() {
-    let star = gallery::star(5, 0.1, 0.06);
+    let star = gallery::star(12, 0.1, 0.06);
     let wall_m = 0.002;
     let meshed = meshed(&star, &hollow(wall_m, 12_000));
     let thinner = |note: &Note| matches!(note, Note::Thinner { .. });
