@@ -92,7 +92,7 @@ fn side(half_waves: u16, side_m: f64, wave_per_m: f64) -> f64 {
     let apart = own * own - half * half;
     let size = if apart.abs() < MEETS * own * own {
         0.5 * side_m
-    } else if half_waves % 2 == 0 {
+    } else if half_waves.is_multiple_of(2) {
         side_m * own * half.sin() / apart
     } else {
         side_m * own * half.cos() / apart

@@ -108,7 +108,7 @@ fn impossible_products_are_refused() {
         }),
         ("key 60: tables", |b| b.bodies[0].line.closed = true),
         ("key 60: normals", |b| {
-            b.bodies[0].line.normals[3] = [0.0, 1.0, 0.0]
+            b.bodies[0].line.normals[3] = [0.0, 1.0, 0.0];
         }),
     ];
     for (field, change) in cases {

@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use super::lowest::Lowest;
 use super::outline::{Cells, Outline};
-use crate::analytic::{ProductMode, gauss_kept};
+use crate::analytic::{ClosedMode, ProductMode, gauss_kept};
 use crate::bank::{Surface as Picture, SurfaceMotion};
 use crate::radiation::{SOUND_M_S, Surface, beamed_decay_per_s};
 use crate::{ModeShape, ShapeTables, SolvedBody, SolvedMode};
@@ -109,7 +109,7 @@ impl<M: ProductMode + Sync> Sheet<'_, M> {
     /// Where along and across the surface is summed: by Gauss, and around in equal steps, which are exact
     /// for waves of fewer than one to a step.
     fn rules(&self) -> [Rule; 2] {
-        let highest_hz = self.modes.last().map_or(0.0, |mode| mode.hz());
+        let highest_hz = self.modes.last().map_or(0.0, ClosedMode::hz);
         let air_per_m = TAU * highest_hz / SOUND_M_S;
         let spans_m = self.outline.spans_m();
         let longest = self.outline.cells(self.longest_m);
