@@ -19,6 +19,10 @@ const FOLLOWED: f64 = 12.0;
 /// Highest mode that is heard, in Hz.
 const HEARD_HZ: f64 = 20_000.0;
 
+/// Packs of modes up to which steps cost so little that a body is followed as if it had modes up to
+/// [`HEARD_HZ`].
+const FEW_PACKS: usize = 8;
+
 /// How short the contacts of the hardest mallets are, in s.
 const HARDEST_S: f64 = 1.5e-4;
 
@@ -107,7 +111,11 @@ impl Body {
     /// Steps to a sample in which a contact of that time is followed.
     fn substeps(&self, step_s: f64, contact_s: f64) -> u32 {
         let ratio = self.tuned.map_or(1.0, |tuned| tuned.ratio);
-        let highest_hz = (ratio * self.highest_hz).min(HEARD_HZ);
+        let highest_hz = if self.tones.len() > FEW_PACKS {
+            (ratio * self.highest_hz).min(HEARD_HZ)
+        } else {
+            HEARD_HZ
+        };
         substeps(step_s * (FOLLOWED_CYCLE * highest_hz).max(FOLLOWED / contact_s))
     }
 
