@@ -1,5 +1,6 @@
 //! Closed forms: what the finite elements are held against, and instruments of their own.
 
+mod beam;
 mod bessel;
 mod circular_membrane;
 mod circular_plate;
@@ -18,10 +19,10 @@ mod timoshenko;
 
 pub use circular_membrane::{CircularMembrane, CircularMode, bessel_zeros};
 pub use circular_plate::{ClampedPlate, PlateMode, clamped_plate_roots};
-pub use closed_mode::ClosedMode;
+pub use closed_mode::{ClosedMode, ProductMode};
 pub use impact::{Struck, impact, square_1998};
 pub use l_membrane::{LMembrane, LMode, LSpectrum};
-pub(crate) use quadrature::gauss;
+pub(crate) use quadrature::{gauss, gauss_kept};
 pub use rectangular_membrane::{RectangularMembrane, RectangularMode};
 pub use rigid_bar::{BarMode, RigidBar};
 pub use string::{StringMode, TautString};

@@ -3,6 +3,7 @@
 mod check;
 mod check_spread;
 mod check_surface;
+mod check_tables;
 mod error;
 mod file;
 mod format;
@@ -13,6 +14,9 @@ mod mirror;
 mod read;
 #[cfg(test)]
 mod sample;
+mod sheet;
+#[cfg(test)]
+mod sheet_tests;
 mod spread;
 #[cfg(test)]
 mod spread_tests;
@@ -25,7 +29,7 @@ mod write;
 
 pub use error::{BankError, BankFileError};
 pub use matter::Matter;
-pub use spread::{Spread, SpreadRule, Zone};
+pub use spread::{Enough, Spread, SpreadRule, Zone};
 pub use surface::{Surface, SurfaceMotion};
 
 use crate::{Damping, Material, ModeLabel, ModeShape, StrikeLine};
@@ -126,7 +130,8 @@ pub struct Mode {
     pub residual: f64,
     /// The mode's name.
     pub label: ModeLabel,
-    /// Mass-normalised displacement φ at each point of the strike line, in kg^(−1/2).
+    /// Mass-normalised displacement φ over the strike line, in kg^(−1/2): of all modes of a body at its
+    /// points, or of all as products of the same tables.
     pub shape: ModeShape,
 }
 

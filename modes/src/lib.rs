@@ -49,8 +49,8 @@ pub mod tube;
 pub mod tuning;
 
 pub use bank::{
-    Bank, BankError, BankFileError, Body, Ears, Matter, Mode, Provenance, Spread, SpreadRule,
-    Surface, SurfaceMotion, Zone,
+    Bank, BankError, BankFileError, Body, Ears, Enough, Matter, Mode, Provenance, Spread,
+    SpreadRule, Surface, SurfaceMotion, Zone,
 };
 pub use code::CODE;
 pub use damping::{Damping, Motion, Rayleigh, t60_s};
@@ -59,7 +59,7 @@ pub use hash::fnv1a;
 pub use label::{Family, Member, ModeLabel};
 pub use material::{Material, MaterialError};
 pub use materials::{NAMED_MATERIALS, NamedMaterial, UnknownMaterial};
-pub use mode_shape::ModeShape;
+pub use mode_shape::{ModeShape, Product};
 pub use obrien_2002::{Print, TABLE_1, TABLE_2, Table1Row, Table2Row};
 #[cfg(feature = "recipe")]
 pub use recipe::{
@@ -72,6 +72,6 @@ pub use recipe::{
 pub use solve::SolveError;
 #[cfg(feature = "solve")]
 pub use solved::{SolvedBody, SolvedMode};
-pub use strike::{Across, Spot, Stencil, StrikeGrid, StrikeLine};
+pub use strike::{Across, Motions, ShapeTables, Spot, Stencil, StrikeGrid, StrikeLine};
 #[cfg(feature = "solve")]
 pub use tube::TuneError;

@@ -5,8 +5,9 @@ mod cylinder;
 mod huygens;
 mod pipe;
 mod surface;
+mod turn;
 
-pub use baffle::baffled_decay_per_s;
+pub use baffle::{baffled_decay_per_s, beamed_decay_per_s};
 pub use cylinder::cylinder_decay_per_s;
 pub use huygens::{Listener, Transfers};
 pub use pipe::Pipe;

@@ -171,6 +171,9 @@ pub struct MeshRecipe {
     pub max_element_m: f64,
     /// Highest frequency of the modes, in Hz.
     pub highest_hz: f64,
+    /// Of films and plates of closed form, modes that each key has however high they are; without, all
+    /// keys have at most 70.
+    pub fewest_modes: Option<u16>,
 }
 
 impl KeyRange {

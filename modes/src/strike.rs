@@ -2,8 +2,12 @@
 
 mod grid;
 mod line;
+mod motions;
 mod stencil;
+mod tables;
 
 pub use grid::{Spot, StrikeGrid};
 pub use line::StrikeLine;
+pub use motions::Motions;
 pub use stencil::{Across, Stencil};
+pub use tables::ShapeTables;

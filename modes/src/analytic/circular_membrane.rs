@@ -1,9 +1,10 @@
 //! The circular membrane (van den Doel & Pai 1998, §6.4).
 
-use super::ClosedMode;
+use super::beam::{Hankel, disc};
 use super::bessel::bessel_j;
 use super::roots::roots;
 use super::round::{Round, round_modes};
+use super::{ClosedMode, ProductMode};
 use crate::ModeLabel;
 use std::f64::consts::{PI, TAU};
 
@@ -88,6 +89,34 @@ impl ClosedMode for CircularMode {
 
     fn label(&self) -> ModeLabel {
         self.round.label(crate::Family::Membrane)
+    }
+}
+
+impl ProductMode for CircularMode {
+    fn functions(&self) -> [[u16; 2]; 2] {
+        self.round.functions()
+    }
+
+    fn along(&self, share: f64) -> f64 {
+        let order = usize::from(self.round.order);
+        let wave = bessel_j(0.0, share.abs() * self.round.root, order + 1)[order];
+        self.round.parity(share) * wave
+    }
+
+    fn across(&self, share: f64) -> f64 {
+        self.round.wave(share)
+    }
+
+    fn height(&self) -> f64 {
+        self.height
+    }
+
+    fn beamed(&self, wave_per_m: f64) -> f64 {
+        let radius_m = self.membrane.radius_m;
+        let hankel = Hankel::new(self.round.order, self.round.root);
+        let mean_square = self.round.mean_square();
+        let unit = disc(wave_per_m * radius_m, mean_square, |q| hankel.at(q));
+        self.height * self.height * radius_m.powi(4) * unit
     }
 }
 

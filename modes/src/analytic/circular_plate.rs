@@ -1,9 +1,10 @@
 //! The circular plate, clamped at its rim (van den Doel & Pai 1998, §6.5).
 
-use super::ClosedMode;
+use super::beam::{Hankel, disc};
 use super::bessel::{bessel_i, bessel_j};
 use super::roots::roots;
 use super::round::{Round, round_modes};
+use super::{ClosedMode, ProductMode};
 use crate::{Family, Material, ModeLabel};
 use std::f64::consts::{PI, TAU};
 
@@ -92,6 +93,17 @@ impl ClampedPlate {
     }
 }
 
+impl PlateMode {
+    /// Its function of the distance, as a share of the radius.
+    fn radial(&self, share: f64) -> f64 {
+        let (order, root) = (usize::from(self.round.order), self.round.root);
+        let j = |x: f64| bessel_j(0.0, x, order + 1)[order];
+        let i = |x: f64| bessel_i(x, order + 1)[order];
+        let modified = i(share * root) / i(root) * (root * (share - 1.0)).exp();
+        j(share * root) - j(root) * modified
+    }
+}
+
 impl ClosedMode for PlateMode {
     fn hz(&self) -> f64 {
         self.plate.hz(self.round.root)
@@ -101,15 +113,39 @@ impl ClosedMode for PlateMode {
         let Some((share, wave)) = self.round.place(at_m, self.plate.radius_m) else {
             return 0.0;
         };
-        let (order, root) = (usize::from(self.round.order), self.round.root);
-        let j = |x: f64| bessel_j(0.0, x, order + 1)[order];
-        let i = |x: f64| bessel_i(x, order + 1)[order];
-        let modified = i(share * root) / i(root) * (root * (share - 1.0)).exp();
-        self.height * wave * (j(share * root) - j(root) * modified)
+        self.height * wave * self.radial(share)
     }
 
     fn label(&self) -> ModeLabel {
         self.round.label(Family::Plate)
+    }
+}
+
+impl ProductMode for PlateMode {
+    fn functions(&self) -> [[u16; 2]; 2] {
+        self.round.functions()
+    }
+
+    fn along(&self, share: f64) -> f64 {
+        self.round.parity(share) * self.radial(share.abs())
+    }
+
+    fn across(&self, share: f64) -> f64 {
+        self.round.wave(share)
+    }
+
+    fn height(&self) -> f64 {
+        self.height
+    }
+
+    fn beamed(&self, wave_per_m: f64) -> f64 {
+        let (radius_m, square) = (self.plate.radius_m, self.round.root * self.round.root);
+        let hankel = Hankel::new(self.round.order, self.round.root);
+        // ∫ I(λρ) J(qρ) ρ dρ has the same numerator by the equation of the rim, over −(λ² + q²)
+        // (DLMF 10.22.4, with λ for iλ): together 2λ²/(λ² + q²) times that of J.
+        let transform = |q: f64| hankel.at(q) * 2.0 * square / (square + q * q);
+        let unit = disc(wave_per_m * radius_m, self.round.mean_square(), transform);
+        self.height * self.height * radius_m.powi(4) * unit
     }
 }
 

@@ -1,6 +1,18 @@
 //! Gauss's rule.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
+
+/// Most points of a rule that is kept.
+const KEPT: usize = 512;
+
+/// As [`gauss`], of at least `points` points as far as there are rules of so many, and made once.
+pub(crate) fn gauss_kept(points: usize) -> &'static [(f64, f64)] {
+    // Of eight times as many points each.
+    static RULES: [OnceLock<Vec<(f64, f64)>>; KEPT / 8] = [const { OnceLock::new() }; KEPT / 8];
+    let number = points.div_ceil(8).clamp(1, KEPT / 8);
+    RULES[number - 1].get_or_init(|| gauss(8 * number))
+}
 
 /// Abscissae and weights of Gauss's rule of `points` points on 0…1: exact for polynomials of degree
 /// 2 `points` − 1 (DLMF §3.5(v)).
@@ -31,6 +43,16 @@ fn legendre(n: usize, x: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rules_that_are_kept_have_enough_points() {
+        for points in [0, 1, 8, 9, 100] {
+            let rule = gauss_kept(points);
+            assert!(rule.len() >= points && rule.len() < points + 8 + 1);
+            assert_eq!(rule, gauss(rule.len()));
+        }
+        assert_eq!(gauss_kept(usize::MAX).len(), KEPT);
+    }
 
     #[test]
     fn powers_up_to_twice_the_points_are_exact() {

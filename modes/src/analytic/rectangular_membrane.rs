@@ -1,6 +1,7 @@
 //! The rectangular membrane (van den Doel & Pai 1998, §2.1 and §6.3).
 
-use super::ClosedMode;
+use super::beam::rectangle;
+use super::{ClosedMode, ProductMode};
 use crate::{Family, Member, ModeLabel};
 use std::f64::consts::PI;
 
@@ -55,14 +56,6 @@ impl RectangularMembrane {
     }
 }
 
-impl RectangularMode {
-    /// Half-waves along x and y.
-    #[must_use]
-    pub fn half_waves(&self) -> [u16; 2] {
-        self.half_waves
-    }
-}
-
 impl ClosedMode for RectangularMode {
     fn hz(&self) -> f64 {
         self.membrane.hz(self.half_waves)
@@ -84,6 +77,29 @@ impl ClosedMode for RectangularMode {
             index,
             member: Member::Single,
         }
+    }
+}
+
+impl ProductMode for RectangularMode {
+    fn functions(&self) -> [[u16; 2]; 2] {
+        self.half_waves.map(|count| [count, 0])
+    }
+
+    fn along(&self, share: f64) -> f64 {
+        (PI * f64::from(self.half_waves[0]) * share).sin()
+    }
+
+    fn across(&self, share: f64) -> f64 {
+        (PI * f64::from(self.half_waves[1]) * share).sin()
+    }
+
+    fn height(&self) -> f64 {
+        2.0 / self.membrane.mass_kg().sqrt()
+    }
+
+    fn beamed(&self, wave_per_m: f64) -> f64 {
+        let height = self.height();
+        height * height * rectangle(wave_per_m, self.half_waves, self.membrane.sides_m)
     }
 }
 

@@ -6,8 +6,42 @@ pub(super) fn roots(f: impl Fn(f64) -> f64, [low, high]: [f64; 2], steps: usize)
     let values: Vec<f64> = (0..=steps).map(|i| f(at(i))).collect();
     (0..steps)
         .filter(|&i| values[i] * values[i + 1] < 0.0)
-        .map(|i| bisect(&f, at(i), at(i + 1)))
+        .map(|i| between(&f, [at(i), values[i]], [at(i + 1), values[i + 1]]))
         .collect()
+}
+
+/// Steps of [`between`] at most; a dozen are the rule.
+const FALSE_STEPS: usize = 40;
+
+/// The root of `f` between two points, each with the value there, whose signs differ: by false position as
+/// in Illinois (Dowell & Jarratt 1971, BIT 11), and by halves if that does not get there.
+fn between(
+    f: &impl Fn(f64) -> f64,
+    [mut a, mut at_a]: [f64; 2],
+    [mut b, mut at_b]: [f64; 2],
+) -> f64 {
+    let mut last = 0;
+    for _ in 0..FALSE_STEPS {
+        let x = (a * at_b - b * at_a) / (at_b - at_a);
+        if !(a < x && x < b) {
+            // Nothing is left between them but rounding.
+            return if x <= a { a } else { b };
+        }
+        let at_x = f(x);
+        if at_x == 0.0 {
+            return x;
+        }
+        if at_x.is_sign_positive() == at_a.is_sign_positive() {
+            (a, at_a) = (x, at_x);
+            at_b *= if last == 1 { 0.5 } else { 1.0 };
+            last = 1;
+        } else {
+            (b, at_b) = (x, at_x);
+            at_a *= if last == -1 { 0.5 } else { 1.0 };
+            last = -1;
+        }
+    }
+    bisect(f, a, b)
 }
 
 /// The root of `f` between `low` and `high`, where its signs differ.

@@ -1,6 +1,7 @@
 //! What round membranes and plates share: nodal diameters, and pairs of modes.
 
 use crate::{Family, Member, ModeLabel};
+use std::f64::consts::TAU;
 
 /// A mode of a round body, but for how it depends on the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +56,28 @@ impl Round {
         let (sin, cos) = (f64::from(self.order) * y_m.atan2(x_m)).sin_cos();
         let wave = if self.member == Member::B { sin } else { cos };
         (share <= 1.0).then_some((share, wave))
+    }
+
+    /// What tells its functions of the distance and of the turn from those of other modes.
+    pub(super) fn functions(&self) -> [[u16; 2]; 2] {
+        let sine = u16::from(self.member == Member::B);
+        [[self.order, self.index], [self.order, sine]]
+    }
+
+    /// The wave around the axis at a turn, 0…1.
+    pub(super) fn wave(&self, turn: f64) -> f64 {
+        let (sin, cos) = (TAU * f64::from(self.order) * turn).sin_cos();
+        if self.member == Member::B { sin } else { cos }
+    }
+
+    /// What a function of the distance is on the far side of the middle over what it is on this side: the
+    /// wave turns over there if it has an odd number of nodal diameters.
+    pub(super) fn parity(&self, share: f64) -> f64 {
+        if share < 0.0 && self.order % 2 == 1 {
+            -1.0
+        } else {
+            1.0
+        }
     }
 
     pub(super) fn label(&self, family: Family) -> ModeLabel {

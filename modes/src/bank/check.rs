@@ -1,12 +1,13 @@
 //! Whether a bank is one that can be played.
 
 use super::check_surface::check_surface;
+use super::check_tables::{check_product, check_tables};
 use super::{Bank, BankError, Body, Matter, Mode};
 use crate::{Stencil, StrikeLine};
 
 /// Bounds beyond anything that can be struck, within which single precision stays finite.
 const MAX_HZ: f64 = 1e6;
-const MAX_SHAPE: f32 = 1e9;
+pub(super) const MAX_SHAPE: f32 = 1e9;
 const MAX_COUPLING: f64 = 1e12;
 const MAX_EARS: f32 = 1e12;
 
@@ -53,6 +54,7 @@ pub(super) fn check_body(body: &Body) -> Result<(), BankError> {
     if let Some(surface) = &body.surface {
         check_surface(surface)?;
     }
+    check_tables(body)?;
     let mut least_hz = 0.0;
     for (i, mode) in body.modes.iter().enumerate() {
         check_mode(mode, least_hz, body.line.len())
@@ -134,6 +136,9 @@ fn check_mode(mode: &Mode, least_hz: f64, points: usize) -> Result<(), BankError
     not_negative("residual", mode.residual)?;
     if mode.label.index == 0 {
         return Err(BankError::inconsistent("index", 0, "counted from 1"));
+    }
+    if let Some(product) = mode.shape.as_product() {
+        return check_product(product);
     }
     if mode.shape.len() != points {
         let allowed = "one for each point of the strike line";

@@ -11,6 +11,9 @@ impl Bank {
     /// Whether every zone has its body, and what each key is given is possible.
     pub(super) fn check_spread(&self, spread: &Spread) -> Result<(), BankError> {
         positive("spread a4_hz", spread.a4_hz)?;
+        if let Some(enough) = spread.enough {
+            positive("spread enough hz", enough.hz)?;
+        }
         if spread.zones.len() != self.bodies.len() {
             let allowed = "one for each body";
             let count = spread.zones.len();

@@ -10,8 +10,9 @@
 //! | 28… | [`Header`] as JSON |
 //! | then | a section for each body, holding [`ARRAYS`] one after the other |
 //!
-//! Version 3 is the same without bodies of their own matter and zones of their own rule, version 2 also
-//! without rows, surfaces and spread.
+//! Version 4 is the same without shapes that are products of tables and what is enough for a key, version
+//! 3 also without bodies of their own matter and zones of their own rule, version 2 also without rows,
+//! surfaces and spread.
 //!
 //! Numbers are little-endian. The first 24 bytes stay as they are in every version.
 
@@ -22,7 +23,7 @@ use serde::{Deserialize, Serialize};
 /// Starts every bank. The bytes around the letters show a file that was mangled as text.
 pub(super) const MAGIC: [u8; 8] = *b"\x89IDBK\r\n\x1a";
 /// The version written, and the newest read.
-pub(super) const VERSION: u32 = 4;
+pub(super) const VERSION: u32 = 5;
 /// The oldest version read.
 pub(super) const OLDEST: u32 = 2;
 /// Bytes up to and with the checksum.
@@ -71,6 +72,8 @@ pub(super) struct BodyEntry {
     pub(super) closed: bool,
     #[serde(default)]
     pub(super) surface: Option<SurfaceEntry>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) tables: Option<TablesEntry>,
     pub(super) offset: u64,
 }
 
@@ -88,9 +91,25 @@ pub(super) struct SurfaceEntry {
     pub(super) motions: u64,
 }
 
+/// A body's tables in the header.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TablesEntry {
+    /// Samples to a step of the strike grid along and across.
+    pub(super) finer: [u64; 2],
+    /// Functions along and across.
+    pub(super) functions: [u64; 2],
+}
+
 impl Header {
     /// The oldest version that has all that is in it.
     pub(super) fn needs(&self) -> u32 {
+        let enough = |spread: &Spread| spread.enough.is_some();
+        if self.spread.as_ref().is_some_and(enough)
+            || self.bodies.iter().any(|body| body.tables.is_some())
+        {
+            return 5;
+        }
         let ruled = |spread: &Spread| spread.zones.iter().any(|zone| zone.rule.is_some());
         if self.spread.as_ref().is_some_and(ruled)
             || self.bodies.iter().any(|body| body.matter.is_some())
@@ -115,7 +134,7 @@ pub(super) struct ArrayEntry {
 }
 
 /// Name, elements and unit of the arrays of a section, in their order.
-pub(super) const ARRAYS: [[&str; 3]; 13] = [
+pub(super) const ARRAYS: [[&str; 3]; 16] = [
     ["points", "f64[points][3]", "m"],
     ["normals", "f64[points][3]", "1"],
     ["hz", "f64[modes]", "Hz"],
@@ -138,7 +157,8 @@ pub(super) const ARRAYS: [[&str; 3]; 13] = [
         "components",
         "u8[modes], bits 1 x, 2 y, 4 z: those of the shape that are not zero at every point; bit 8: \
          only the first half of the points is stored, middle included, the rest mirrors it with \
-         the signs of bits 16 x, 32 y, 64 z (set: opposite)",
+         the signs of bits 16 x, 32 y, 64 z (set: opposite); 128 alone: nothing is stored, the shape \
+         is a product",
         "1",
     ],
     [
@@ -154,6 +174,22 @@ pub(super) const ARRAYS: [[&str; 3]; 13] = [
         "i8[motions][surface points][3]",
         "surface step",
     ],
+    [
+        "table along",
+        "f32[(points of a row - 1) finer + 1][functions]",
+        "1",
+    ],
+    [
+        "table across",
+        "f32[(rows - 1) finer + 1, or rows finer where they are closed][functions]",
+        "1",
+    ],
+    [
+        "product",
+        "[modes of a body with tables]{function along u16, function across u16, height f32}: the \
+         shape is height times both, along the normals",
+        "kg^(-1/2)",
+    ],
 ];
 
 /// Bytes of a point with its normal.
@@ -167,15 +203,35 @@ pub(super) const SURFACE_LENS: [u64; 3] = [12, 12, 4];
 /// Bytes of a surface's point in motion.
 pub(super) const MOTION_LEN: u64 = 3;
 
+/// Bytes of a mode's product.
+pub(super) const PRODUCT_LEN: u64 = 8;
+
+/// Where versions before 5 describe an array otherwise: its number, and its elements in them.
+const COMPONENTS_BEFORE_5: (usize, &str) = (
+    7,
+    "u8[modes], bits 1 x, 2 y, 4 z: those of the shape that are not zero at every point; bit 8: \
+     only the first half of the points is stored, middle included, the rest mirrors it with \
+     the signs of bits 16 x, 32 y, 64 z (set: opposite)",
+);
+
 /// The arrays of a section in a file of `version`.
 pub(super) fn described_arrays(version: u32) -> Vec<ArrayEntry> {
-    let count = if version < 3 { 9 } else { ARRAYS.len() };
+    let count = match version {
+        ..3 => 9,
+        3 | 4 => 13,
+        _ => ARRAYS.len(),
+    };
+    let mut arrays = ARRAYS;
+    if version < 5 {
+        let (number, elements) = COMPONENTS_BEFORE_5;
+        arrays[number][1] = elements;
+    }
     let entry = |[name, elements, unit]: [&str; 3]| ArrayEntry {
         name: name.to_owned(),
         elements: elements.to_owned(),
         unit: unit.to_owned(),
     };
-    ARRAYS.into_iter().take(count).map(entry).collect()
+    arrays.into_iter().take(count).map(entry).collect()
 }
 
 /// CRC-32 of a file but for the checksum itself.

@@ -1,7 +1,8 @@
 //! Bodies of several materials and rules in one bank.
 
 use super::sample::{bank, grid_bank};
-use super::tests::{inconsistent_field, seal};
+use super::sheet_tests::before_5;
+use super::tests::{inconsistent_field, seal, with_header};
 use super::{Bank, Body, Matter, SpreadRule, Zone};
 use crate::{Damping, Material, Rayleigh};
 
@@ -52,7 +53,7 @@ fn matter_and_rules_come_back_as_they_were() {
 #[test]
 fn files_of_version_3_are_read_and_have_neither() {
     let as_3 = |bank: &Bank| {
-        let mut file = bank.write();
+        let mut file = with_header(bank, before_5);
         file[8] = 3;
         Bank::read(&seal(file))
     };
@@ -93,6 +94,7 @@ fn each_zone_goes_by_its_own_rule() {
                 rule,
                 a4_hz: 442.0,
                 zones: vec![Zone { rule: None, ..zone }],
+                enough: None,
             }),
             ..bank()
         };

@@ -3,10 +3,11 @@
 use super::check_surface::check_motions;
 use super::format::{
     AIR_LEN, BodyEntry, CHECKSUM_AT, FAMILIES, FORMAT, Header, MAGIC, MAX_LEN, MEMBERS, MODE_LEN,
-    MOTION_LEN, OLDEST, POINT_LEN, PRELUDE_LEN, SURFACE_LENS, SurfaceEntry, VERSION, checksum,
-    described_arrays,
+    MOTION_LEN, OLDEST, POINT_LEN, PRELUDE_LEN, PRODUCT_LEN, SURFACE_LENS, SurfaceEntry,
+    TablesEntry, VERSION, checksum, described_arrays,
 };
 use super::mirror::Stored;
+use super::sheet;
 use super::{Bank, BankError, Body, Mode, Surface, SurfaceMotion};
 use crate::{ModeLabel, ModeShape, StrikeLine};
 use std::sync::Arc;
@@ -162,11 +163,18 @@ fn read_body(entry: &BodyEntry, sections: &mut Reader) -> Result<Body, BankError
         });
     }
     for (i, (mode, &bits)) in modes.iter_mut().zip(components).enumerate() {
+        if sheet::is_product(entry, bits) {
+            continue;
+        }
         mode.shape = shape(bits, line.len(), sections)
             .map_err(|error| error.within(format!("mode {}", i + 1)))?;
     }
     let surface = entry.surface.as_ref();
     let surface = surface.map(|entry| surface_of(entry, sections).map(Arc::new));
+    let surface = surface.transpose()?;
+    if let Some(tables) = &entry.tables {
+        read_products(tables, &line, &mut modes, sections)?;
+    }
     Ok(Body {
         key: entry.key,
         pitch_hz: entry.pitch_hz,
@@ -174,9 +182,27 @@ fn read_body(entry: &BodyEntry, sections: &mut Reader) -> Result<Body, BankError
         mass_kg: entry.mass_kg,
         matter: entry.matter,
         line,
-        surface: surface.transpose()?,
+        surface,
         modes,
     })
+}
+
+/// Gives `modes` the products that follow their body's tables.
+fn read_products(
+    entry: &TablesEntry,
+    line: &StrikeLine,
+    modes: &mut [Mode],
+    sections: &mut Reader,
+) -> Result<(), BankError> {
+    let [along, across] = sheet::table_lens(entry, line)?;
+    let along = sections.slice("table along", along)?;
+    let across = sections.slice("table across", across)?;
+    let tables = sheet::tables(entry, line, [along, across])?;
+    let products = sections.slice("product", PRODUCT_LEN * modes.len() as u64)?;
+    for (mode, bytes) in modes.iter_mut().zip(products.as_chunks().0) {
+        mode.shape = sheet::shape(&tables, bytes)?;
+    }
+    Ok(())
 }
 
 fn label(bytes: &[u8]) -> Result<ModeLabel, BankError> {

@@ -87,6 +87,7 @@ pub(super) fn grid_bank() -> Bank {
                 tuned: 1,
                 rule: None,
             }],
+            enough: None,
         }),
         ..bank()
     }

@@ -18,6 +18,19 @@ pub struct Spread {
     pub a4_hz: f64,
     /// The keys of each body of the bank, in the order of the bodies.
     pub zones: Vec<Zone>,
+    /// Which of a body's modes are enough for a key; without, all that people hear.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub enough: Option<Enough>,
+}
+
+/// The modes that a key is given: all up to a frequency, and at least so many.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Enough {
+    /// The frequency, in Hz.
+    pub hz: f64,
+    /// Modes that a key is given however high they are, up to what people hear.
+    pub modes: u32,
 }
 
 /// What is changed of a body so that it sounds at a key's pitch.
@@ -142,7 +155,7 @@ fn changed(rule: SpreadRule, matter: Matter, ratio: f64) -> Option<Matter> {
 
 impl Bank {
     /// The bank with a body of its own for each key that [`Bank::spread`] gives it: what engines play.
-    /// Modes that come to lie above 20 kHz are left out. A bank without a spread is as it was.
+    /// Modes that come to lie above 20 kHz, and those beyond what is [`Spread::enough`], are left out. A bank without a spread is as it was.
     ///
     /// Shapes and surfaces are shared by the keys of a body.
     #[must_use]
@@ -174,7 +187,14 @@ impl Spread {
             }
         };
         let factors = rule.factors(ratio);
-        let audible = |mode: &&Mode| rule == SpreadRule::Fixed || mode.hz * ratio <= HIGHEST_HZ;
+        let (all, limit_hz) = match self.enough {
+            Some(enough) => (enough.modes as usize, enough.hz.min(HIGHEST_HZ)),
+            None => (usize::MAX, HIGHEST_HZ),
+        };
+        let kept = |(i, mode): &(usize, &Mode)| {
+            let highest_hz = if *i < all { HIGHEST_HZ } else { limit_hz };
+            rule == SpreadRule::Fixed || mode.hz * ratio <= highest_hz
+        };
         Body {
             key,
             pitch_hz,
@@ -186,8 +206,9 @@ impl Spread {
             modes: body
                 .modes
                 .iter()
-                .filter(audible)
-                .map(|mode| factors.mode(mode))
+                .enumerate()
+                .filter(kept)
+                .map(|(_, mode)| factors.mode(mode))
                 .collect(),
         }
     }

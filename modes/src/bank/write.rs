@@ -5,7 +5,8 @@ use super::format::{
     SURFACE_LENS, SurfaceEntry, VERSION, checksum, described_arrays, family_number, member_number,
 };
 use super::mirror::Stored;
-use super::{Bank, Body, Matter, Mode, Spread, Surface};
+use super::sheet::{self, tables_of};
+use super::{Bank, Body, Enough, Matter, Mode, Spread, Surface};
 use crate::{Damping, Material, Provenance, Rayleigh};
 
 impl Bank {
@@ -53,6 +54,7 @@ impl Bank {
                 rows: body.line.rows as u64,
                 closed: body.line.closed,
                 surface: body.surface.as_deref().map(surface_entry),
+                tables: tables_of(body).map(|tables| sheet::entry(tables)),
                 offset,
             });
             offset += section_len(body);
@@ -73,6 +75,10 @@ impl Bank {
             },
             spread: self.spread.as_ref().map(|spread| Spread {
                 a4_hz: plain(spread.a4_hz),
+                enough: spread.enough.map(|enough| Enough {
+                    hz: plain(enough.hz),
+                    ..enough
+                }),
                 ..spread.clone()
             }),
             bodies,
@@ -106,11 +112,14 @@ fn plain_matter(matter: Matter) -> Matter {
 
 fn section_len(body: &Body) -> u64 {
     let points = body.line.len() as u64;
-    let shapes: u64 = body
-        .modes
-        .iter()
-        .map(|mode| Stored::of(mode, body.line.len()).len())
-        .sum();
+    let shapes: u64 = match tables_of(body) {
+        Some(tables) => sheet::len(tables, body.modes.len()),
+        None => body
+            .modes
+            .iter()
+            .map(|mode| Stored::of(mode, body.line.len()).len())
+            .sum(),
+    };
     let surface = body.surface.as_deref().map_or(0, surface_len);
     POINT_LEN * points + MODE_LEN * body.modes.len() as u64 + shapes + surface
 }
@@ -148,6 +157,20 @@ fn write_body(body: &Body, file: &mut Vec<u8>) {
         file.extend(label.order.to_le_bytes());
         file.extend(label.index.to_le_bytes());
     }
+    let tables = tables_of(body);
+    match tables {
+        Some(_) => file.extend(body.modes.iter().map(|_| sheet::PRODUCT)),
+        None => write_shapes(body, file),
+    }
+    if let Some(surface) = &body.surface {
+        write_surface(surface, file);
+    }
+    if let Some(tables) = tables {
+        sheet::write(body, tables, file);
+    }
+}
+
+fn write_shapes(body: &Body, file: &mut Vec<u8>) {
     let stored: Vec<Stored> = body
         .modes
         .iter()
@@ -160,9 +183,6 @@ fn write_body(body: &Body, file: &mut Vec<u8>) {
                 file.extend((phi[c] + 0.0).to_le_bytes());
             }
         }
-    }
-    if let Some(surface) = &body.surface {
-        write_surface(surface, file);
     }
 }
 

@@ -6,6 +6,7 @@ use crate::{
     Bank, Body, CODE, ListenerRecipe, LossRecipe, Mode, Provenance, Recipe, ResonatorRecipe,
     SolvedBody,
 };
+use rayon::prelude::*;
 
 /// Distance between the ears, in m (O'Brien, Cook & Essl 2001, §4).
 const BETWEEN_EARS_M: f64 = 0.2;
@@ -76,7 +77,7 @@ pub(crate) fn sounding(
     });
     let modes = solved
         .modes
-        .into_iter()
+        .into_par_iter()
         .map(|mode| {
             let rise = mode.shape.first().map_or(0.0, |u| f64::from(u[2]));
             let (pipe_ears, pipe_per_s) = pipe.map_or(([[0.0; 2]; 2], 0.0), |pipe| {

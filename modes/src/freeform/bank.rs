@@ -133,6 +133,7 @@ pub fn free_bank(recipe: &FreeRecipe, solved: Vec<SolvedPiece>) -> Bank {
             rule,
             a4_hz: recipe.a4_hz,
             zones,
+            enough: None,
         }),
         bodies,
     }

@@ -34,7 +34,15 @@ pub fn baffled_decay_per_s(hz: f64, patches: impl Iterator<Item = ([f64; 2], f64
         }
     }
     let solid_angle = TAU / AROUND as f64;
-    omega * omega * AIR_KG_M3 / (8.0 * PI * PI * SOUND_M_S) * solid_angle * sum
+    beamed_decay_per_s(hz, |_| solid_angle * sum)
+}
+
+/// The same for a mode of which ∫ |∫ φ e^{ik·x} dS|² dΩ over the half sphere, in m⁴/kg, is what `beamed`
+/// says for the air's wave number k in 1/m.
+#[must_use]
+pub fn beamed_decay_per_s(hz: f64, beamed: impl Fn(f64) -> f64) -> f64 {
+    let omega = TAU * hz;
+    omega * omega * AIR_KG_M3 / (8.0 * PI * PI * SOUND_M_S) * beamed(omega / SOUND_M_S)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! From a mode's surface motion to two ears: Huygens' sum (O'Brien, Cook & Essl 2001, §3.3).
 
+use super::turn::turned;
 use super::{AIR_KG_M3, SOUND_M_S, Surface};
 use crate::Ears;
 use std::f64::consts::TAU;
@@ -14,12 +15,24 @@ pub struct Listener {
 /// The way of the sound from each patch of a surface to the ears, and in the directions that tell
 /// how much of the sound goes elsewhere.
 pub struct Transfers {
-    /// For each receiver, the ears first: patch, area·cos θ/r in m, and path in m beyond the way
-    /// from the body's middle to the middle of the head.
-    ways: Vec<Vec<(u32, f64, f64)>>,
+    /// For each receiver, the ears first.
+    ways: Vec<Ways>,
     /// Distance of each ear from the body's middle, in m.
     distances_m: [f64; 2],
 }
+
+/// The ways to one receiver from the patches that it hears.
+#[derive(Default)]
+struct Ways {
+    patches: Vec<u32>,
+    /// area·cos θ/r of each, in m.
+    weights: Vec<f64>,
+    /// Path of each in m beyond the way from the body's middle to the middle of the head.
+    paths_m: Vec<f64>,
+}
+
+/// Ways whose phases are computed together.
+const TOGETHER: usize = 64;
 
 /// Directions over which a mode's radiation is averaged, beside those of the ears.
 const DIRECTIONS: [[f64; 3]; 6] = [
@@ -48,17 +61,18 @@ impl Transfers {
         let ways = receivers
             .map(|receiver| {
                 let patches = surface.points_m.iter().zip(&surface.normals);
-                patches
-                    .zip(&surface.areas_m2)
-                    .enumerate()
-                    .filter_map(|(i, ((&point, normal), area))| {
-                        let way = [0, 1, 2].map(|a| receiver[a] - point[a]);
-                        let r = norm(way);
-                        let cos = (0..3).map(|a| way[a] * normal[a]).sum::<f64>() / r;
-                        let heard = cos > 0.0 && surface.is_heard_at(i, receiver);
-                        heard.then(|| (i as u32, area * cos / r, r - reference_m))
-                    })
-                    .collect()
+                let mut ways = Ways::default();
+                for (i, ((&point, normal), area)) in patches.zip(&surface.areas_m2).enumerate() {
+                    let way = [0, 1, 2].map(|a| receiver[a] - point[a]);
+                    let r = norm(way);
+                    let cos = (0..3).map(|a| way[a] * normal[a]).sum::<f64>() / r;
+                    if cos > 0.0 && surface.is_heard_at(i, receiver) {
+                        ways.patches.push(i as u32);
+                        ways.weights.push(area * cos / r);
+                        ways.paths_m.push(r - reference_m);
+                    }
+                }
+                ways
             })
             .collect();
         Self {
@@ -75,14 +89,7 @@ impl Transfers {
         self.ways[..receivers]
             .iter()
             .map(|ways| {
-                let (mut re, mut im) = (0.0, 0.0);
-                for &(patch, weight, path_m) in ways {
-                    let share = weight * f64::from(motion[patch as usize]);
-                    let (sin, cos) = (k * path_m).sin_cos();
-                    // i e^{−ikr}: the velocity is a quarter turn before the displacement.
-                    re += share * sin;
-                    im += share * cos;
-                }
+                let [re, im] = ways.sum(k, motion);
                 [velocity * re, velocity * im]
             })
             .collect()
@@ -118,12 +125,35 @@ impl Transfers {
         [0, 1].map(|ear| {
             let level = all_round / self.distances_m[ear];
             let size = square(&sums[ear]).sqrt();
-            if size == 0.0 || mean == 0.0 {
+            if size == 0.0 {
                 return [0.0; 2];
             }
+            // Without a mean, as of what is odd about the axis, it is the most.
             let share = (size / mean.sqrt()).clamp(DIRECTIVITY.0, DIRECTIVITY.1);
             sums[ear].map(|x| (x / size * share * level) as f32)
         })
+    }
+}
+
+impl Ways {
+    /// Σ of weight times `motion` times i e^{−ikr}, real and imaginary part: the velocity is a quarter turn
+    /// before the displacement.
+    fn sum(&self, k: f64, motion: &[f32]) -> [f64; 2] {
+        let (mut re, mut im) = (0.0, 0.0);
+        let shares = self.patches.iter().zip(&self.weights);
+        let mut shares = shares.map(|(patch, weight)| weight * f64::from(motion[*patch as usize]));
+        for paths_m in self.paths_m.chunks(TOGETHER) {
+            let (mut sin, mut cos) = ([0.0; TOGETHER], [0.0; TOGETHER]);
+            for ((sin, cos), path_m) in sin.iter_mut().zip(&mut cos).zip(paths_m) {
+                (*sin, *cos) = turned(k * path_m);
+            }
+            let turns = sin.iter().zip(&cos).take(paths_m.len());
+            for ((sin, cos), share) in turns.zip(&mut shares) {
+                re += share * sin;
+                im += share * cos;
+            }
+        }
+        [re, im]
     }
 }
 

@@ -321,6 +321,10 @@ fn check_mesh(mesh: &RawMesh) -> Result<MeshRecipe, Fault> {
         around: whole("mesh.around", mesh.around, 8..=512)?,
         max_element_m: within("mesh.max_element_m", mesh.max_element_m, 0.0005..=0.1)?,
         highest_hz: within("mesh.highest_hz", mesh.highest_hz, 1e3..=20e3)?,
+        fewest_modes: mesh
+            .fewest_modes
+            .map(|count| whole("mesh.fewest_modes", count, 1..=1000))
+            .transpose()?,
     })
 }
 

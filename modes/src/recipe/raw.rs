@@ -134,6 +134,7 @@ pub(super) struct RawMesh {
     pub(super) max_element_m: f64,
     #[serde(default = "highest_hz")]
     pub(super) highest_hz: f64,
+    pub(super) fewest_modes: Option<i64>,
 }
 
 fn around() -> i64 {

@@ -103,6 +103,7 @@ fn whole_numbers_serve_as_numbers() {
     assert_eq!(
         mesh,
         MeshRecipe {
+            fewest_modes: None,
             around: 8,
             max_element_m: 0.006,
             highest_hz: 20_000.0,

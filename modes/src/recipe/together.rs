@@ -3,6 +3,7 @@
 use super::error::Fault;
 use super::{Recipe, ShapeRecipe};
 use crate::equal_temperament_hz;
+use crate::shape::ClosedShape;
 
 /// Refuses pitches that the mesh does not go up to, and tunings that the shape does not have.
 pub(super) fn check_together(recipe: &Recipe) -> Result<(), Fault> {
@@ -26,6 +27,19 @@ pub(super) fn check_together(recipe: &Recipe) -> Result<(), Fault> {
         if recipe.resonator.is_some() {
             return Err(Fault::field("resonator", "given", allowed));
         }
+    }
+    let products = matches!(
+        recipe.shape,
+        ShapeRecipe::Closed(
+            ClosedShape::RectangularMembrane { .. }
+                | ClosedShape::CircularMembrane { .. }
+                | ClosedShape::CircularPlate { .. }
+        )
+    );
+    if let Some(fewest) = recipe.mesh.fewest_modes.filter(|_| !products) {
+        let allowed =
+            "left out: all but rectangular and round films and plates have all their modes";
+        return Err(Fault::field("mesh.fewest_modes", fewest, allowed));
     }
     let key = recipe.keys.high;
     let tuned_hz = equal_temperament_hz(key, tuning.a4_hz) * f64::from(1 << tuning.octaves_below);

@@ -1,7 +1,7 @@
 //! The sound map of a bank's body: how strikes at chosen places of its grid sound.
 
 use super::Hearing;
-use crate::{Body, StrikeGrid};
+use crate::{Body, Motions};
 use std::ops::Range;
 
 /// Ratio of frequencies that nobody tells apart, less 1: 0.2 % about 1 kHz, and more elsewhere (Wier, Jesteadt
@@ -20,9 +20,7 @@ const BESIDE: f64 = 1e-3;
 pub struct BodyMap {
     range_db: f32,
     tones: Vec<Tone>,
-    grid: StrikeGrid,
-    /// φ·n of every mode at one point of the grid after the other, in kg^(−1/2).
-    motions: Vec<f32>,
+    motions: Motions,
     /// Energy Σ(φ·n)² of a strike of unit impulse where it is greatest.
     greatest: f32,
     places: usize,
@@ -69,16 +67,18 @@ impl BodyMap {
         let mut map = Self {
             range_db: hearing.range_db as f32,
             tones: tones(hearing, &hz),
-            grid: body.line.grid(),
-            motions: motions(body),
+            motions: Motions::new(
+                &body.line,
+                body.modes.iter().map(|mode| mode.shape.clone()).collect(),
+            ),
             greatest: 0.0,
             places: places.len(),
             levels_db: Vec::new(),
             unit: 0.0,
         };
-        let energy = |motions: &[f32]| motions.iter().map(|x| x * x).sum::<f32>();
-        let points = map.motions.chunks_exact(hz.len().max(1));
-        map.greatest = points.map(energy).fold(0.0, f32::max);
+        let grid = body.line.grid();
+        let points = (0..body.line.len()).map(|i| map.strike(grid.place(i)).iter().sum());
+        map.greatest = points.fold(0.0, f32::max);
         map.levels_db = vec![0.0; map.tones.len() * places.len()];
         for (number, place) in places.iter().enumerate() {
             for (tone, level_db) in map.timbre_db(*place).into_iter().enumerate() {
@@ -159,28 +159,14 @@ impl BodyMap {
     }
 
     /// The energy of each tone of a strike of unit impulse.
-    fn strike(&self, [along, across]: [f64; 2]) -> Vec<f32> {
-        let modes = self.tones.last().map_or(0, |tone| tone.modes.end);
-        let mut motion = vec![0.0; modes];
-        for (point, weight) in self.grid.spot(along, across).points() {
-            let there = &self.motions[point * modes..][..modes];
-            for (sum, motion) in motion.iter_mut().zip(there) {
-                *sum += weight as f32 * motion;
-            }
-        }
-        let energy = |tone: &Tone| motion[tone.modes.clone()].iter().map(|x| x * x).sum();
+    fn strike(&self, place: [f64; 2]) -> Vec<f32> {
+        let mut motion = vec![0.0; self.motions.len()];
+        let mut scratch = vec![0.0; self.motions.scratch_len()];
+        self.motions.at(place, &mut scratch, &mut motion);
+        let energy = |tone: &Tone| {
+            let modes = &motion[tone.modes.clone()];
+            modes.iter().map(|x| x * x).sum::<f64>() as f32
+        };
         self.tones.iter().map(energy).collect()
     }
-}
-
-/// φ·n of every mode at one point of the strike grid after the other.
-fn motions(body: &Body) -> Vec<f32> {
-    let mut motions = Vec::with_capacity(body.modes.len() * body.line.len());
-    for (point, normal) in body.line.normals.iter().enumerate() {
-        motions.extend(body.modes.iter().map(|mode| {
-            let phi = mode.shape.at(point).map(f64::from);
-            (0..3).map(|k| phi[k] * normal[k]).sum::<f64>() as f32
-        }));
-    }
-    motions
 }

@@ -73,12 +73,11 @@ fn wavy(hz: &[f64]) -> Body {
 
 /// The sum of the paper, term by term; a tone is the modes of one frequency.
 fn by_hand_db(hearing: &Hearing, body: &Body, places: [[f64; 2]; 2]) -> f64 {
-    let [one, other] = places.map(|[along, across]| {
-        let spot = body.line.grid().spot(along, across);
+    let [one, other] = places.map(|place| {
         let motions = body
             .modes
             .iter()
-            .map(|mode| body.line.normal_motion(&mode.shape, &spot));
+            .map(|mode| mode.shape.normal_motion(&body.line, place));
         let energies: Vec<f64> = motions.map(|motion| motion * motion).collect();
         let whole: f64 = energies.iter().sum();
         energies

@@ -63,6 +63,16 @@ impl Spot {
         })
     }
 
+    /// The columns that take part, each with its weight.
+    pub(super) fn columns(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        (self.along.first..).zip(self.along.weights)
+    }
+
+    /// The rows that take part, each with its weight.
+    pub(super) fn rows(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.across.rows()
+    }
+
     /// The value here of what is `of` each point.
     pub fn value(&self, of: impl Fn(usize) -> f64) -> f64 {
         self.points().map(|(i, weight)| weight * of(i)).sum()

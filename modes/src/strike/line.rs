@@ -1,7 +1,6 @@
 //! The line or the grid of lines on a body's surface along which it is struck.
 
-use super::grid::{Spot, StrikeGrid};
-use crate::ModeShape;
+use super::grid::StrikeGrid;
 
 /// The line over the surface that the keyboard strikes, or rows of such lines side by side, sampled at
 /// equal steps.
@@ -63,19 +62,6 @@ impl StrikeLine {
         nearest.map_or([0.0; 2], |(i, _)| self.grid().place(i))
     }
 
-    /// φ·n at `spot`, of a mode that moves as `shape` at the points.
-    ///
-    /// # Panics
-    ///
-    /// If the spot is none of this line, or `shape` has fewer points.
-    #[must_use]
-    pub fn normal_motion(&self, shape: &ModeShape, spot: &Spot) -> f64 {
-        spot.value(|i| {
-            let (u, n) = (shape.at(i), self.normals[i]);
-            (0..3).map(|a| f64::from(u[a]) * n[a]).sum()
-        })
-    }
-
     /// The same with all lengths times `factor`.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
@@ -93,6 +79,7 @@ impl StrikeLine {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ModeShape;
 
     #[test]
     fn the_nearest_point_is_told_by_its_place() {
@@ -113,7 +100,7 @@ mod tests {
         let shape: ModeShape = (0..6 * rows)
             .map(|i| [0.0, f32::from(i / 6), 0.0])
             .collect();
-        let spot = line.grid().spot(0.6, 0.25);
-        assert!((line.normal_motion(&shape, &spot) - 1.0).abs() < 1e-12);
+        let moved = shape.normal_motion(&line, [0.6, 0.25]);
+        assert!((moved - 1.0).abs() < 1e-12);
     }
 }

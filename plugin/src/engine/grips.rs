@@ -39,7 +39,7 @@ pub(super) fn bow(modes: &[Reached], start_m: [f64; 3]) -> Rub {
 
 fn edge(mode: &Reached) -> Grip {
     Grip {
-        size: f64::from(mode.normal[0]),
+        size: mode.start,
         waves: 0.0,
         from_rad: -FRAC_PI_2,
     }
@@ -51,7 +51,7 @@ fn around(modes: &[Reached], mode: &Reached) -> Option<Grip> {
     let of = |member: Member| {
         let wanted = modes::ModeLabel { member, ..label };
         let found = modes.iter().find(|other| other.label == wanted)?;
-        Some(f64::from(found.normal[0]))
+        Some(found.start)
     };
     if label.order < 2 {
         return None;

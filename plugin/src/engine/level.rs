@@ -37,10 +37,12 @@ const CONTACT_CELLS: usize = 300;
 /// above [`PEAK_DB`]: these are turned down to it. 1 for a body that does not sound.
 pub(crate) fn full_scales(bank: &Bank, bodies: &[&modes::Body]) -> Vec<f64> {
     let [target, limit] = [LOUDNESS_DB, PEAK_DB].map(|db| 10f64.powf(db / 20.0));
+    let mut before = None;
     bodies
         .iter()
         .map(|body| {
-            let mut trial = Trial::new(bank, body);
+            let trial = Trial::new(bank, body, before.take());
+            let trial = before.insert(trial);
             let loud = target / trial.loudness_pa();
             let scale = loud.min(limit / trial.peak_pa());
             if scale > 0.0 && scale.is_finite() {
@@ -61,9 +63,11 @@ struct Trial {
 }
 
 impl Trial {
-    fn new(bank: &Bank, body: &modes::Body) -> Self {
+    /// Of `body`, which may share what it has in common with that of the trial `before`.
+    fn new(bank: &Bank, body: &modes::Body, before: Option<Self>) -> Self {
         let matter = bank.matter_of(body);
-        let body = Body::new((body, &matter), 1.0, 0);
+        let before = before.map(|trial| trial.body);
+        let body = Body::new((body, &matter), 1.0, 0, before.as_ref());
         Self {
             kernel: Kernel::new(Vectors::Widest),
             packs: vec![Pack::STILL; body.place.len()],

@@ -4,8 +4,9 @@ use super::mallet::contact_modulus_pa;
 use super::source::reached;
 use super::touch::Touch;
 use super::{Hit, Settings};
-use modes::{Bank, ModeLabel, Stencil, StrikeGrid};
+use modes::{Bank, ModeLabel, ModeShape, Stencil, StrikeLine};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// A mode of a body that strikes on its line make heard.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,9 +23,9 @@ pub struct Partial {
     pub resonator_per_s: f64,
     /// Decay rate by the whole weight of the damper's felt, in 1/s.
     pub felt_per_s: f64,
-    /// φ·n̂ along the line, in kg^(−1/2).
-    normal: Vec<f32>,
-    grid: StrikeGrid,
+    shape: ModeShape,
+    /// Where its body is struck.
+    line: Arc<StrikeLine>,
     loudness: f64,
 }
 
@@ -32,6 +33,7 @@ impl Partial {
     /// The modes that an engine has of a body, by rising frequency.
     #[must_use]
     pub fn all(body: &modes::Body) -> Vec<Self> {
+        let line = Arc::new(body.line.clone());
         reached(body)
             .into_iter()
             .map(|mode| {
@@ -45,8 +47,8 @@ impl Partial {
                     resonator_per_s,
                     felt_per_s,
                     loudness: mode.loudness(),
-                    normal: mode.normal,
-                    grid: body.line.grid(),
+                    shape: mode.shape,
+                    line: Arc::clone(&line),
                 }
             })
             .collect()
@@ -58,12 +60,11 @@ impl Partial {
     /// than the body); this is the outline of that pulse's spectrum without its zeros. Where walls give way
     /// or the mallet touches twice, levels are up to 6 dB off.
     #[must_use]
-    pub fn level(&self, [position, across]: [f64; 2], contact_s: f64) -> f64 {
-        if self.grid.columns < Stencil::POINTS {
+    pub fn level(&self, place: [f64; 2], contact_s: f64) -> f64 {
+        if self.line.grid().columns < Stencil::POINTS {
             return 0.0;
         }
-        let spot = self.grid.spot(position, across);
-        let normal = spot.value(|point| f64::from(self.normal[point]));
+        let normal = self.shape.normal_motion(&self.line, place);
         let turned = TAU * self.hz * contact_s;
         let pulse = (1.0 + (turned / 4.4).powi(3)).powf(-5.0 / 6.0);
         normal.abs() * self.loudness * pulse

@@ -41,7 +41,8 @@ impl Pulse {
         let mallet = settings.mallet;
         let contact_s = mallet.contact_s(body_pa, body_kg, touch.speed_m_s);
         let step_s = contact_s / f64::from(STEPS);
-        let mut modes = swings(body, position, [tweak.pitch(), tweak.mass()], step_s);
+        let place = [position, touch.across];
+        let mut modes = swings(body, place, [tweak.pitch(), tweak.mass()], step_s);
         let mut contact = Contact::new(0);
         contact.begin(&Blow {
             mallet,
@@ -129,18 +130,16 @@ impl Swing {
 
 fn swings(
     body: &modes::Body,
-    position: f64,
+    place: [f64; 2],
     [pitch, heavier]: [f64; 2],
     step_s: f64,
 ) -> Vec<Swing> {
-    if body.line.len() < Stencil::POINTS {
+    if body.line.grid().columns < Stencil::POINTS {
         return Vec::new();
     }
-    let stencil = Stencil::at(position, body.line.len());
     let swing = |mode: &super::source::Reached| {
         let turn = TAU * mode.hz * pitch * step_s;
-        let points = stencil.weights.iter().zip(&mode.normal[stencil.first..]);
-        let normal: f64 = points.map(|(weight, x)| weight * f64::from(*x)).sum();
+        let normal = mode.shape.normal_motion(&body.line, place);
         (turn < FASTEST).then_some(Swing {
             reach: normal / heavier.sqrt(),
             speed: 0.0,

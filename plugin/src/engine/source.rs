@@ -1,7 +1,7 @@
 //! What a mode sends to the ears, and how it is heard.
 
 use super::oscillators::LANES;
-use modes::{Ears, ModeLabel};
+use modes::{Ears, ModeLabel, ModeShape, StrikeLine};
 use std::f64::consts::TAU;
 
 /// Speed of sound in air at 20 °C, in m/s.
@@ -18,7 +18,9 @@ pub(crate) struct Reached {
     piped: Ears,
     /// Decay rates in 1/s by radiation, supports, resonator and felt.
     pub(crate) air: [f32; 4],
-    pub(crate) normal: Vec<f32>,
+    pub(crate) shape: ModeShape,
+    /// φ·n̂ where the strike line begins, in kg^(−1/2).
+    pub(crate) start: f64,
     pub(crate) label: ModeLabel,
 }
 
@@ -64,16 +66,7 @@ pub(crate) fn reached(body: &modes::Body) -> Vec<Reached> {
         .iter()
         .filter(sound)
         .map(|mode| {
-            let normal: Vec<f32> = mode
-                .shape
-                .iter()
-                .zip(&body.line.normals)
-                .map(|(shape, normal)| {
-                    (0..3).map(|k| f64::from(shape[k]) * normal[k]).sum::<f64>() as f32
-                })
-                .collect();
-            let most = normal.iter().fold(0.0f32, |most, x| most.max(x.abs()));
-            let reach = f64::from(most) * loudest(&heard(mode)) / mode.hz;
+            let reach = farthest(body, mode) * loudest(&heard(mode)) / mode.hz;
             let mode = Reached {
                 hz: mode.hz,
                 direct: mode.ears,
@@ -84,7 +77,8 @@ pub(crate) fn reached(body: &modes::Body) -> Vec<Reached> {
                     mode.pipe_per_s,
                     mode.felt_per_s,
                 ],
-                normal,
+                shape: mode.shape.clone(),
+                start: moved(&body.line, &mode.shape, 0),
                 label: mode.label,
             };
             (mode, reach)
@@ -94,6 +88,27 @@ pub(crate) fn reached(body: &modes::Body) -> Vec<Reached> {
     all.retain(|(_, reach)| *reach > UNREACHED * most);
     all.sort_by(|(a, _), (b, _)| a.hz.total_cmp(&b.hz));
     all.into_iter().map(|(mode, _)| mode).collect()
+}
+
+/// φ·n̂ at point `i` of the line, in kg^(−1/2).
+fn moved(line: &StrikeLine, shape: &ModeShape, i: usize) -> f64 {
+    let (phi, normal) = (shape.at(i), line.normals[i]);
+    (0..3).map(|k| f64::from(phi[k]) * normal[k]).sum()
+}
+
+/// The greatest φ·n̂ of a mode on the line, in kg^(−1/2), either way; of a product the greatest that it can
+/// be, with no function above 1.
+fn farthest(body: &modes::Body, mode: &modes::Mode) -> f64 {
+    if let Some(product) = mode.shape.as_product() {
+        return f64::from(product.height.abs());
+    }
+    let (points, scale) = mode.shape.as_points().unwrap_or_default();
+    let most = points
+        .iter()
+        .zip(&body.line.normals)
+        .map(|(phi, normal)| (0..3).map(|k| f64::from(phi[k]) * normal[k]).sum::<f64>())
+        .fold(0.0f64, |most, moved| most.max(moved.abs()));
+    most * f64::from(scale)
 }
 
 /// From the source to one ear, beside the way that the bank has it.

@@ -56,9 +56,8 @@ fn lasting(decay_per_s: f64) -> f64 {
 
 /// Pressure that a mode sends to the nearer ear after 1 N·s along the normal at a place along and
 /// across the strike grid: the impulse gives the mode an amplitude φ·n/ω (O'Brien 2002, Eq. 18 without its 2).
-pub(crate) fn pressure_pa(body: &Body, mode: &Mode, [position, across]: [f64; 2]) -> f64 {
-    let spot = body.line.grid().spot(position, across);
-    let normal = body.line.normal_motion(&mode.shape, &spot);
+pub(crate) fn pressure_pa(body: &Body, mode: &Mode, place: [f64; 2]) -> f64 {
+    let normal = mode.shape.normal_motion(&body.line, place);
     let ear = (0..2)
         .map(|ear| {
             let [real, imaginary] = [0, 1]

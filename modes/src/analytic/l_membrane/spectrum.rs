@@ -7,6 +7,7 @@ use crate::analytic::roots::sharp_zero;
 use crate::solve::{SmallestAngle, smallest_angle};
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use std::sync::{Arc, Mutex};
 
 /// The modes of an L of unit squares, computed once for membranes of all sizes.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +47,28 @@ const EDGE_POINTS: usize = 36;
 /// Points inside that keep it from resting everywhere.
 const INNER_POINTS: u16 = 50;
 
+/// The spectrum that was asked for last.
+static LAST: Mutex<Option<(f64, Arc<LSpectrum>)>> = Mutex::new(None);
+
 impl LSpectrum {
+    /// As [`Self::new`], computed anew only for another `highest` than the last time: bodies that are drawn
+    /// over and over have the same.
+    #[must_use]
+    pub fn kept(highest: f64) -> Arc<Self> {
+        let known = |last: &Option<(f64, Arc<Self>)>| {
+            let last = last.as_ref().filter(|(known, _)| *known == highest);
+            last.map(|(_, spectrum)| Arc::clone(spectrum))
+        };
+        let last = LAST.lock().ok().and_then(|last| known(&last));
+        last.unwrap_or_else(|| {
+            let spectrum = Arc::new(Self::new(highest));
+            if let Ok(mut last) = LAST.lock() {
+                *last = Some((highest, Arc::clone(&spectrum)));
+            }
+            spectrum
+        })
+    }
+
     /// All modes up to the wave number `highest`, in units of a square's side.
     #[must_use]
     pub fn new(highest: f64) -> Self {

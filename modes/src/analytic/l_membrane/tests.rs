@@ -25,6 +25,13 @@ fn eigenvalues_are_the_published_ones() {
     }
 }
 
+#[test]
+fn a_spectrum_is_kept_until_another_is_asked_for() {
+    let first = LSpectrum::kept(4.0);
+    assert_eq!(first.roots(), LSpectrum::new(4.0).roots());
+    assert_eq!(LSpectrum::kept(5.0).roots(), LSpectrum::new(5.0).roots());
+}
+
 /// Weyl's law with its perimeter and corners, A κ²/4π − L κ/4π + Σ (π² − α²)/24πα, is the mean of the
 /// count; one mode that is missing or double lifts or lowers the rest of the staircase by one.
 #[test]

@@ -77,25 +77,14 @@ impl Flat {
 
     /// What it looks like from above and from below, and how it moves.
     pub(super) fn picture<M: ClosedMode>(&self, modes: &[M]) -> Picture {
-        let [x, y] = self.outline.middle_m();
-        let (points, above) = self.outline.triangles(self.drawn);
-        let below = above.iter().map(|[a, b, c]| [*a, *c, *b]);
-        let triangles = above.iter().copied().chain(below).collect();
+        let (points, _) = self.outline.triangles(self.drawn);
         let motions = modes.iter().take(Picture::MOST_MODES).map(|mode| {
             let motion = points
                 .iter()
                 .map(|p| [0.0, 0.0, mode.displacement(*p) as f32]);
             SurfaceMotion::of(&motion.collect::<Vec<_>>())
         });
-        Picture {
-            length_m: self.outline.length_m(),
-            motions: motions.collect(),
-            points_m: points
-                .iter()
-                .map(|p| [(p[0] - x) as f32, (p[1] - y) as f32, 0.0])
-                .collect(),
-            triangles,
-        }
+        self.outline.picture(self.drawn, motions.collect())
     }
 
     /// The upper face, and of a strip in the open the lower one too.

@@ -10,6 +10,10 @@ const ALONG_TO_HALF_WAVE: f64 = 4.0;
 /// Rows to each wave of it across, between which is interpolated by cubics.
 const ROWS_TO_WAVE: f64 = 6.0;
 
+/// Samples of a table across to each half-wave, of which four are taken together: they are right to two
+/// thousandths of its height.
+const TABLED_TO_HALF_WAVE: f64 = 6.0;
+
 /// Fewest samples of a row.
 const FEWEST: usize = 33;
 
@@ -57,10 +61,27 @@ impl Grid {
             .collect()
     }
 
+    /// The first coordinate of a point so far along, 0…1: on a disc the distance from the middle as a share of
+    /// the radius, below 0 beyond it; else the share of the way.
+    pub(super) fn first(&self, outline: Outline, along: f64) -> f64 {
+        match outline {
+            Outline::Disc { .. } => self.start - (1.0 + self.start) * along,
+            _ => self.on(self.start, along),
+        }
+    }
+
+    /// The second coordinate of a point so far across, 0…1: on a disc the turn; else the share of the way.
+    pub(super) fn second(&self, outline: Outline, across: f64) -> f64 {
+        match outline {
+            Outline::Disc { .. } => across,
+            _ => self.on(self.aside, across),
+        }
+    }
+
     /// On a disc rows go through the middle and turn about it.
     fn spoke_m(&self, radius_m: f64, along: f64, row: usize) -> [f64; 2] {
         let (sin, cos) = (std::f64::consts::TAU * row as f64 / self.rows as f64).sin_cos();
-        let r_m = radius_m * (self.start - (1.0 + self.start) * along);
+        let r_m = radius_m * self.first(Outline::Disc { radius_m }, along);
         [r_m * cos, r_m * sin]
     }
 
@@ -125,21 +146,41 @@ pub(super) fn film(half_waves: [f64; 2]) -> Grid {
     }
 }
 
-/// Rows about the middle of a disc, from two thirds of the radius, for modes of wave numbers times
-/// radius up to `root` and up to `order` nodal diameters.
-pub(super) fn disc(root: f64, order: u16) -> Grid {
-    let half_waves = (1.0 + FRAC_1_SQRT_2) * root / std::f64::consts::PI;
-    let [columns, _] = counts([half_waves, 0.0]);
-    #[expect(clippy::cast_sign_loss, reason = "an order is not negative")]
-    let rows = (ROWS_TO_WAVE * f64::from(order)).ceil() as usize;
+/// Points on a film whose shapes are told between them by tables: enough to draw it by, and so many that the
+/// first of them, where it is usually struck, lies on no node line of any but a few modes.
+pub(super) fn coarse() -> Grid {
+    let [columns, rows] = [43, 32];
+    Grid {
+        start: whole_steps(0.3, columns),
+        aside: whole_steps(0.4, rows),
+        wraps: true,
+        backwards: false,
+        columns,
+        rows,
+    }
+}
+
+/// The same on a disc: rows about its middle, from two thirds of the radius.
+pub(super) fn spokes() -> Grid {
     Grid {
         start: FRAC_1_SQRT_2,
         aside: 0.0,
         wraps: false,
         backwards: false,
-        columns,
-        rows: rows.max(5),
+        columns: 41,
+        rows: 48,
     }
+}
+
+/// Samples to a step of `grid` for so many half-waves along and across it, across a disc around it.
+pub(super) fn finer(grid: &Grid, [along, across]: [f64; 2], closed: bool) -> [usize; 2] {
+    #[expect(clippy::cast_sign_loss, reason = "counts of waves are positive")]
+    let whole = |samples: f64, steps: usize| (samples / steps as f64).ceil().max(1.0) as usize;
+    let turns = if closed { grid.rows } else { grid.rows - 1 };
+    [
+        whole(ALONG_TO_HALF_WAVE * along, grid.columns - 1),
+        whole(TABLED_TO_HALF_WAVE * across, turns),
+    ]
 }
 
 /// The share nearest to `start` that is a whole number of steps, so that a sample falls on the edge.

@@ -1,5 +1,6 @@
 //! The outline of a flat body, drawn from the unit square.
 
+use crate::bank::{Surface as Picture, SurfaceMotion};
 use std::f64::consts::TAU;
 
 /// What of the plane a body covers, in m, in the frame of its closed form.
@@ -69,7 +70,7 @@ impl Outline {
     }
 
     /// Lengths along and around or across, in m.
-    fn spans_m(self) -> [f64; 2] {
+    pub(super) fn spans_m(self) -> [f64; 2] {
         match self {
             Self::Strip { length_m, width_m } => [length_m, width_m],
             Self::Rectangle { sides_m } => sides_m,
@@ -95,6 +96,23 @@ impl Outline {
                 (point_m, area_m2 / (along * across) as f64)
             })
             .collect()
+    }
+
+    /// What it looks like from above and from below, when the corners of its cells move like that.
+    pub(super) fn picture(self, cells: Cells, motions: Vec<SurfaceMotion>) -> Picture {
+        let [x, y] = self.middle_m();
+        let (points, above) = self.triangles(cells);
+        let below = above.iter().map(|[a, b, c]| [*a, *c, *b]);
+        let triangles = above.iter().copied().chain(below).collect();
+        Picture {
+            length_m: self.length_m(),
+            motions,
+            points_m: points
+                .iter()
+                .map(|p| [(p[0] - x) as f32, (p[1] - y) as f32, 0.0])
+                .collect(),
+            triangles,
+        }
     }
 
     /// Corners of the cells, row by row, and triangles of them, counter-clockwise from above.

@@ -17,7 +17,7 @@ use super::oscillators::{LANES, Pack, Step, Tone};
 use super::source::{Hearing, Reached, Source, reached};
 use super::sympathy::Strand;
 use heir::Names;
-use modes::{Damping, Matter, StrikeGrid};
+use modes::{Damping, Matter, Motions};
 use pushed::MALLETS;
 use std::ops::Range;
 use trimmed::Trimmed;
@@ -49,9 +49,11 @@ pub(crate) struct Body {
     names: Names,
     /// Leading packs that are heard through a resonator.
     piped: usize,
-    /// φ·n̂ in kg^(−1/2), point by point and mode by mode.
-    normal: Vec<f32>,
-    grid: StrikeGrid,
+    /// Frequency of its highest mode as built, in Hz.
+    highest_hz: f64,
+    /// φ·n̂ of the modes wherever it is struck.
+    motions: Motions,
+    scratch: Vec<f64>,
     mallets: [Contact; MALLETS],
     rub: Rub,
     /// How its lowest modes hang on the common support.
@@ -69,14 +71,22 @@ pub(crate) struct Body {
 
 impl Body {
     /// From a bank's body and what it is made of, with its modes at `first` among the packs of the
-    /// instrument; `scale` takes Pa to full scale.
-    pub(crate) fn new((body, matter): (&modes::Body, &Matter), scale: f64, first: usize) -> Self {
+    /// instrument; `scale` takes Pa to full scale. What it has in common with the body `before` it shares.
+    pub(crate) fn new(
+        (body, matter): (&modes::Body, &Matter),
+        scale: f64,
+        first: usize,
+        before: Option<&Self>,
+    ) -> Self {
         let modes = reached(body);
         let packs = modes.len().div_ceil(LANES);
-        let points = body.line.len();
+        let shapes = modes.iter().map(|mode| mode.shape.clone()).collect();
+        let motions = match before {
+            Some(before) => Motions::like(&before.motions, &body.line, shapes),
+            None => Motions::new(&body.line, shapes),
+        };
         let mut tones = vec![Tone::NONE; packs];
         let mut sources = vec![Source::SILENT; packs];
-        let mut normal = vec![0.0; points * packs * LANES];
         for (i, mode) in modes.iter().enumerate() {
             let (pack, lane) = (i / LANES, i % LANES);
             // Lanes without a mode go with the last one, lest they ask for points of their own.
@@ -85,9 +95,6 @@ impl Body {
                 rates[lane] = rate;
             }
             sources[pack].set(lane, mode, scale);
-            for (point, value) in mode.normal.iter().enumerate() {
-                normal[point * packs * LANES + i] = *value;
-            }
         }
         let strand = Strand::new(tones.first().map_or(&[0.0; LANES], |tone| &tone.rates[1]));
         Self {
@@ -104,9 +111,10 @@ impl Body {
             tones,
             sources,
             names: Names::new(modes.iter().map(|mode| mode.label)),
-            normal,
-            grid: body.line.grid(),
+            scratch: vec![0.0; motions.scratch_len()],
+            motions,
             mallets: std::array::from_fn(|_| Contact::new(packs)),
+            highest_hz: modes.last().map_or(0.0, |mode| mode.hz),
             strand,
             rub: grips::bow(&modes, body.line.points_m[0]),
             steps: vec![Step::STILL; packs],

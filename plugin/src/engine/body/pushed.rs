@@ -10,10 +10,21 @@ use crate::engine::touch::Touch;
 /// Mallets on a body at the same time.
 pub(crate) const MALLETS: usize = 4;
 
-/// Steps a second that a contact is followed with at least, and steps to a contact: below, its higher
-/// harmonics fold back into what is heard.
-const FOLLOWED_HZ: f64 = 176_400.0;
+/// Steps to a cycle of the highest mode that is heard by which a contact is followed at least, and steps to
+/// a contact: below, its higher harmonics fold back onto the modes. A pulse falls as f^(−5/2), so that what
+/// folds back onto the highest mode lies 45 dB below what that gets by itself.
+const FOLLOWED_CYCLE: f64 = 8.82;
 const FOLLOWED: f64 = 12.0;
+
+/// Highest mode that is heard, in Hz.
+const HEARD_HZ: f64 = 20_000.0;
+
+/// Packs of modes up to which steps cost so little that a body is followed as if it had modes up to
+/// [`HEARD_HZ`].
+const FEW_PACKS: usize = 8;
+
+/// How short the contacts of the hardest mallets are, in s.
+const HARDEST_S: f64 = 1.5e-4;
 
 /// Steps a second in which friction is followed.
 const RUBBED_HZ: f64 = 88_200.0;
@@ -62,9 +73,10 @@ impl Body {
         } = *strike;
         let body_kg = self.mass_kg * heavier;
         let contact_s = mallet.contact_s(body_pa, body_kg, touch.speed_m_s);
-        let wanted = substeps(step_s * FOLLOWED_HZ.max(FOLLOWED / contact_s));
+        let wanted = self.substeps(step_s, contact_s);
         if !self.driven || wanted > self.substeps {
-            self.substeps = wanted;
+            // Finer steps that are made cost less than others that are not.
+            self.substeps = wanted.max(self.stepped);
             self.tune_steps(kernel, step_s);
         }
         self.begin_drive();
@@ -92,8 +104,19 @@ impl Body {
 
     /// Makes ready, while it sleeps, the steps in which most blows are followed.
     pub(crate) fn prepare(&mut self, kernel: Kernel, step_s: f64) {
-        self.substeps = substeps(step_s * FOLLOWED_HZ);
+        self.substeps = self.substeps(step_s, HARDEST_S);
         self.tune_steps(kernel, step_s);
+    }
+
+    /// Steps to a sample in which a contact of that time is followed.
+    fn substeps(&self, step_s: f64, contact_s: f64) -> u32 {
+        let ratio = self.tuned.map_or(1.0, |tuned| tuned.ratio);
+        let highest_hz = if self.tones.len() > FEW_PACKS {
+            (ratio * self.highest_hz).min(HEARD_HZ)
+        } else {
+            HEARD_HZ
+        };
+        substeps(step_s * (FOLLOWED_CYCLE * highest_hz).max(FOLLOWED / contact_s))
     }
 
     /// From this point of the grid on it moves sample by sample, though nothing pushes it.
@@ -156,21 +179,17 @@ impl Body {
         // Shapes go with the root of the mass.
         let lighter = heavier.sqrt().recip();
         let reach = &mut self.mallets[slot].reach;
-        let width = reach.len() * LANES;
-        let spot = self.grid.spot(touch.position, touch.across);
+        let place = [touch.position, touch.across];
+        self.motions
+            .at(place, &mut self.scratch, reach.as_flattened_mut());
         let mut sum = 0.0;
-        for (pack, (reach, tone)) in reach.iter_mut().zip(&self.tones).enumerate() {
-            *reach = [0.0; LANES];
-            for (point, share) in spot.points() {
-                let row = &self.normal[point * width + pack * LANES..][..LANES];
-                for (reach, normal) in reach.iter_mut().zip(row) {
-                    *reach += lighter * share * f64::from(*normal);
-                }
-            }
+        for (reach, tone) in reach.iter_mut().zip(&self.tones) {
             for (lane, reach) in reach.iter_mut().enumerate() {
-                if tone.is_silent(lane) {
-                    *reach = 0.0;
-                }
+                *reach = if tone.is_silent(lane) {
+                    0.0
+                } else {
+                    lighter * *reach
+                };
                 sum += *reach * *reach;
             }
         }

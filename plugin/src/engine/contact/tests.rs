@@ -131,7 +131,7 @@ fn no_blow_creates_energy() {
     for trial in 0..10_000u64 {
         let step_s = 1.0 / chance.between(8e3, 768e3);
         let given = random_body(&mut chance, 3 + (trial % 30) as usize);
-        let mut body = Body::new((&given, &STUFF), 1.0, 0);
+        let mut body = Body::new((&given, &STUFF), 1.0, 0, None);
         let mut packs = vec![Pack::STILL; body.place.len()];
         let moved = body.listen(&Hearing::AS_BUILT);
         body.tune(kernel, &mut packs, (FREE, moved), step_s);

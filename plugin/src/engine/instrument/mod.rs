@@ -139,8 +139,11 @@ impl Engine {
             })
             .collect();
         let mut packs = 0;
+        let mut before = None;
         for (body, scale) in usable.iter().zip(full_scales(bank, &usable)) {
-            let made = Body::new((body, &bank.matter_of(body)), scale, packs);
+            let before = before.replace(usize::from(body.key));
+            let before = before.and_then(|key: usize| bodies[key].as_ref());
+            let made = Body::new((body, &bank.matter_of(body)), scale, packs, before);
             packs = made.place.end;
             bodies[usize::from(body.key)] = Some(made);
         }
