@@ -9,8 +9,10 @@ use std::ops::Range;
 pub(super) struct Outside {
     /// Small triangles of mesh nodes, counter-clockwise from outside, those of a face together.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Those of each face, and its corners.
-    faces: Vec<(Range<usize>, Vec<u32>)>,
+    /// Those of each face.
+    faces: Vec<Range<usize>>,
+    /// Fewer of them, for all faces.
+    few: Vec<[u32; 3]>,
 }
 
 impl Outside {
@@ -30,17 +32,17 @@ impl Outside {
             let cone: f64 = (0..3).map(|a| doubled[a] * corners[0][a]).sum();
             volumes[piece[triangle[0] as usize] as usize] += cone;
         }
-        let outer = |face: &Face| volumes[piece[face.corners[0] as usize] as usize] > 0.0;
+        let outer = |face: &Face| volumes[piece[face.few[0][0] as usize] as usize] > 0.0;
         let mut outside = Self {
             triangles: Vec::new(),
             faces: Vec::new(),
+            few: Vec::new(),
         };
         for mut face in all.into_iter().filter(outer) {
             let first = outside.triangles.len();
             outside.triangles.append(&mut face.triangles);
-            outside
-                .faces
-                .push((first..outside.triangles.len(), face.corners));
+            outside.faces.push(first..outside.triangles.len());
+            outside.few.append(&mut face.few);
         }
         outside
     }
@@ -49,21 +51,12 @@ impl Outside {
     pub(super) fn faces(&self) -> impl Iterator<Item = &[[u32; 3]]> {
         self.faces
             .iter()
-            .map(|(range, _)| &self.triangles[range.clone()])
+            .map(|range| &self.triangles[range.clone()])
     }
 
-    /// As few triangles as there can be, between the faces' corners.
-    pub(super) fn coarse(&self) -> Vec<[u32; 3]> {
-        let fan = |corners: &[u32]| {
-            let first = corners[0];
-            let rest = corners[1..].windows(2);
-            rest.map(|pair| [first, pair[0], pair[1]])
-                .collect::<Vec<_>>()
-        };
-        self.faces
-            .iter()
-            .flat_map(|(_, corners)| fan(corners))
-            .collect()
+    /// Triangles between the faces' corners, and nodes between those where a face is cubic.
+    pub(super) fn few(&self) -> &[[u32; 3]] {
+        &self.few
     }
 }
 

@@ -5,7 +5,7 @@ use crate::mesh::Mesh;
 use crate::{Surface, SurfaceMotion};
 use std::collections::HashMap;
 
-/// Triangles up to which all nodes of the boundary are drawn, mid-edge ones included.
+/// Triangles up to which all nodes of the boundary are drawn, those between corners included.
 const MOST_TRIANGLES: usize = 24_000;
 
 /// The points that are drawn, and how each mode moves them.
@@ -16,13 +16,13 @@ pub(super) struct Skin {
 }
 
 impl Skin {
-    /// Of the boundary's faces: in all their small triangles, or as few as can be if those would be too many.
+    /// Of the boundary's faces: in all their small triangles, or in fewer if those would be too many.
     pub(super) fn of(outside: &Outside) -> Self {
         let fine = outside.triangles.len() <= MOST_TRIANGLES;
-        let drawn: Vec<[u32; 3]> = if fine {
-            outside.triangles.clone()
+        let drawn = if fine {
+            &outside.triangles
         } else {
-            outside.coarse()
+            outside.few()
         };
         let (mut nodes, mut known) = (Vec::new(), HashMap::new());
         let triangles = drawn
@@ -74,7 +74,7 @@ mod tests {
     use crate::mesh::ball_tet10;
 
     #[test]
-    fn faces_in_one_lie_within_faces_in_four() {
+    fn few_triangles_lie_within_many() {
         let mesh = ball_tet10(0.1, 2, 1);
         let outside = Outside::of(&mesh);
         let area = |triangles: &[[u32; 3]]| -> f64 {
@@ -84,7 +84,7 @@ mod tests {
                 .map(|t| super::super::axes::area_m2(&place(t)))
                 .sum()
         };
-        let (fine, coarse) = (area(&outside.triangles), area(&outside.coarse()));
+        let (fine, coarse) = (area(&outside.triangles), area(outside.few()));
         assert!(coarse < fine && coarse > 0.9 * fine, "{coarse} {fine}");
     }
 }

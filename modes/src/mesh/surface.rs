@@ -9,10 +9,10 @@ pub(crate) const TET_FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], 
 
 /// One element's face on the surface of a mesh.
 pub(crate) struct Face {
-    /// Its corners, counter-clockwise from outside.
-    pub(crate) corners: Vec<u32>,
-    /// The small triangles between its nodes.
+    /// The small triangles between its nodes, counter-clockwise from outside.
     pub(crate) triangles: Vec<[u32; 3]>,
+    /// Fewer of them: between corners, and on cubic sides one node between two.
+    pub(crate) few: Vec<[u32; 3]>,
 }
 
 impl Mesh {
@@ -64,34 +64,36 @@ impl Mesh {
 /// A face of these nodes cut into triangles; one of eight nodes is a wedge's where there are `rims`.
 fn cut(face: &[u32], rims: bool) -> Face {
     let n = face.len();
-    let every = |step: usize| face.iter().copied().step_by(step).collect();
     match *face {
         [p, q, r] => Face {
-            corners: every(1),
             triangles: vec![[p, q, r]],
+            few: vec![[p, q, r]],
         },
-        [p, pq, qp, q, qr, rq, r, rp, pr, middle] => Face {
-            corners: vec![p, q, r],
-            triangles: [
-                [p, pq, pr],
-                [q, qr, qp],
-                [r, rp, rq],
-                [pq, qp, middle],
-                [qp, qr, middle],
-                [qr, rq, middle],
-                [rq, rp, middle],
-                [rp, pr, middle],
-                [pr, pq, middle],
-            ]
-            .into(),
-        },
-        [p, pq, qp, q, r, rs, sr, s] if rims => Face {
-            corners: vec![p, q, r, s],
-            triangles: [[p, pq, sr, s], [pq, qp, rs, sr], [qp, q, r, rs]]
-                .into_iter()
-                .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
-                .collect(),
-        },
+        [p, pq, qp, q, qr, rq, r, rp, pr, middle] => {
+            let [x, y, z] = [[p, pq, qp, q], [q, qr, rq, r], [r, rp, pr, p]].map(one_between);
+            Face {
+                triangles: [
+                    [p, pq, pr],
+                    [q, qr, qp],
+                    [r, rp, rq],
+                    [pq, qp, middle],
+                    [qp, qr, middle],
+                    [qr, rq, middle],
+                    [rq, rp, middle],
+                    [rp, pr, middle],
+                    [pr, pq, middle],
+                ]
+                .into(),
+                few: vec![[p, x, z], [q, y, x], [r, z, y], [x, y, z]],
+            }
+        }
+        [p, pq, qp, q, r, rs, sr, s] if rims => {
+            let [x, y] = [[p, pq, qp, q], [r, rs, sr, s]].map(one_between);
+            Face {
+                triangles: halves([[p, pq, sr, s], [pq, qp, rs, sr], [qp, q, r, rs]]),
+                few: halves([[p, x, y, s], [x, q, r, y]]),
+            }
+        }
         // Corners and edge middles in turn.
         _ => {
             let corner = |i| [face[(i + n - 1) % n], face[i], face[i + 1]];
@@ -99,10 +101,26 @@ fn cut(face: &[u32], rims: bool) -> Face {
             let corners = (0..n).step_by(2).map(corner);
             Face {
                 triangles: corners.chain((2..n - 2).step_by(2).map(between)).collect(),
-                corners: every(2),
+                few: (2..n - 2)
+                    .step_by(2)
+                    .map(|i| [face[0], face[i], face[i + 2]])
+                    .collect(),
             }
         }
     }
+}
+
+/// Quadrangles as two triangles each.
+fn halves<const N: usize>(quadrangles: [[u32; 4]; N]) -> Vec<[u32; 3]> {
+    let halves = quadrangles
+        .iter()
+        .map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    halves.flatten().collect()
+}
+
+/// Of the two nodes between the ends of a cubic side the one that both faces along it choose.
+fn one_between([from, near_from, near_to, to]: [u32; 4]) -> u32 {
+    if from < to { near_from } else { near_to }
 }
 
 /// Nodes of a wedge's five faces, counter-clockwise from outside: on either side corner, two between,

@@ -200,3 +200,21 @@ fn a_thin_wok_has_the_modes_of_its_meridian() {
     println!("wok: {coarse:.1e}, {fine:.1e}");
     assert!(coarse < 0.01 && fine < 0.003, "{coarse} {fine}");
 }
+
+/// Each edge of the triangles that large meshes are drawn by belongs to two of them, one way each.
+#[test]
+fn fewer_triangles_close_a_sheet_too() {
+    let meshed = meshed(&gallery::cup(0.04, 0.09, 0.002), &nodes(12_000));
+    let faces = meshed.mesh.faces();
+    let few: Vec<[u32; 3]> = faces.iter().flat_map(|face| face.few.clone()).collect();
+    let all: usize = faces.iter().map(|face| face.triangles.len()).sum();
+    assert!(2 * few.len() < all, "{} of {all}", few.len());
+    let edges = few.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let mut waiting = HashSet::new();
+    for [from, to] in edges {
+        if !waiting.remove(&[to, from]) {
+            assert!(waiting.insert([from, to]), "{from} to {to} twice");
+        }
+    }
+    assert!(waiting.is_empty(), "{} edges are open", waiting.len());
+}
