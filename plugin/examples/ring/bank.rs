@@ -18,9 +18,6 @@ pub(crate) type Band = (f64, f64);
 /// All that people hear of most bodies.
 pub(crate) const WIDE: Band = (50.0, 15_050.0);
 
-/// What sounds longest, and all that drums have.
-pub(crate) const LOW: Band = (50.0, 3_450.0);
-
 /// A mallet of brass, off before the highest mode has turned, so that all are struck.
 pub(crate) const MALLET: Settings = Settings {
     mallet: Mallet {

@@ -1,6 +1,6 @@
 //! What ringing costs: steadily, with the damping turned, and with strikes.
 
-use crate::bank::{LOW, MALLET, WIDE, bank};
+use crate::bank::{Band, MALLET, WIDE, bank};
 use crate::vectors::Vectors;
 use crate::{BLOCK, MODES, RATE_HZ, render, ringing, struck};
 use idiophone::engine::{Engine, GRID, Losses, Settings};
@@ -9,6 +9,9 @@ use std::time::Instant;
 
 /// Blocks of a timed run.
 const BLOCKS: usize = 16;
+
+/// What sounds longest, and all that drums have.
+const LOW: Band = (50.0, 3_450.0);
 
 /// A keyboard of bodies and their modes.
 const KEYBOARD: (u8, usize) = (88, 60);

@@ -10,7 +10,7 @@ const RATE_HZ: f64 = 48_000.0;
 
 #[test]
 fn every_mode_of_the_measured_bank_is_struck_and_rings_for_a_minute() {
-    let bank = bank::bank(2, 64);
+    let bank = bank::bank(2, 64, bank::WIDE);
     let mut all_hz: Vec<f64> = bank
         .bodies
         .iter()
