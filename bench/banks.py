@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Our engine beside other banks of modes: how many ring at once on one core, at 48 kHz.
 
-    python3 bench/banks.py [--modes 4608] [--rounds 20] [--ops 4.6] [--dev]
+    python3 bench/banks.py [--modes 4608] [--rounds 20] [--ops 4.1] [--dev]
 
 All ring with T60 60 s, in blocks of 64, denormals flushed. Each bank is built, then all are run in
 turn, round after round, and the best of all rounds counts: load and a moving clock hit all alike.
@@ -40,7 +40,7 @@ def main():
     )
     parser.add_argument("--modes", type=int, default=4608, help="a multiple of 192, up to 8064")
     parser.add_argument("--rounds", type=int, default=20)
-    parser.add_argument("--ops", type=float, default=4.6, help="of ours, for a mode and sample")
+    parser.add_argument("--ops", type=float, default=4.1, help="of ours, for a mode and sample")
     parser.add_argument("--dev", action="store_true", help="ours built as the tests are")
     arguments = parser.parse_args()
     if arguments.modes % 192 or not 0 < arguments.modes <= 8064:

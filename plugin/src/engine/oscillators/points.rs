@@ -10,7 +10,7 @@ pub(super) struct Points {
     pub(super) hops: usize,
     /// From one point to the next, in samples.
     pub(super) apart: f64,
-    /// Highest mode that they do for, in rad a sample: what is made of its samples is then −130 dB off.
+    /// Highest mode that they do for, in rad a sample: what is made of its samples is then −120 dB off.
     pub(super) highest: f64,
 }
 
@@ -19,8 +19,8 @@ pub(super) const KINDS: usize = 3;
 
 /// The fewest first; the last are the samples themselves.
 pub(super) const POINTS: [Points; KINDS] = [
-    Points::new(1, 4.3, 0.103),
-    Points::new(2, 2.75, 0.467),
+    Points::new(1, 4.3, 0.121),
+    Points::new(2, 2.75, 0.505),
     Points::new(HOPS, 1.0, f64::INFINITY),
 ];
 
@@ -78,6 +78,6 @@ mod tests {
 
     #[test]
     fn low_modes_need_few_points() {
-        assert_eq!([0.0, 0.1, 0.3, 0.5, 3.1].map(fewest), [0, 0, 1, 2, 2]);
+        assert_eq!([0.0, 0.1, 0.3, 0.6, 3.1].map(fewest), [0, 0, 1, 2, 2]);
     }
 }
