@@ -4,6 +4,7 @@ mod assembly;
 mod constrained;
 mod cyclic;
 mod fourier;
+pub(crate) mod gauss;
 mod hex20;
 mod isotropic;
 mod meridian;

@@ -1,6 +1,7 @@
 //! The beam of varying section that a bar nearly is, by finite elements of half its length.
 
 use crate::analytic::rectangle_shear_coefficient;
+use crate::fem::gauss::{GAUSS_2, GAUSS_3};
 use crate::fem::{Constrained, Pattern, Pencil};
 use crate::shape::Bar;
 use crate::solve::lowest_of;
@@ -15,18 +16,6 @@ const NODES: usize = 3;
 
 /// Deflection and rotation.
 const FIELDS: usize = 2;
-
-/// Gauss's points on −1…1 and their weights: two for the stiffness, which keeps thin beams from
-/// locking, three for the mass.
-const GAUSS_2: [(f64, f64); 2] = [
-    (-0.577_350_269_189_625_8, 1.0),
-    (0.577_350_269_189_625_8, 1.0),
-];
-const GAUSS_3: [(f64, f64); 3] = [
-    (-0.774_596_669_241_483_4, 5.0 / 9.0),
-    (0.0, 8.0 / 9.0),
-    (0.774_596_669_241_483_4, 5.0 / 9.0),
-];
 
 /// Frequencies in Hz of the first three bending modes of a Timoshenko beam of the bar's sections.
 ///
@@ -66,6 +55,7 @@ fn pencil(bar: &Bar, material: &Material) -> Pencil {
         let first = element * 2 * FIELDS;
         let thickness_m =
             |s: f64| bar.thickness_at_m(half_m * (2 * element + 1) as f64 + half_m * s);
+        // Two points keep thin beams from locking.
         for (s, weight) in GAUSS_2 {
             let (values, slopes) = (shapes(s), slopes(s).map(|slope| slope / half_m));
             let t = thickness_m(s);

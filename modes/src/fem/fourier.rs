@@ -3,19 +3,12 @@
 //! u_r = U cos mθ, u_θ = V sin mθ, u_z = W cos mθ never mix with those of another m (Wilson 1965;
 //! Zienkiewicz & Taylor 2000, vol. 2, §9.5). Eight-node quadrilaterals with 3×3 points.
 
+use super::gauss::GAUSS_3;
 use super::meridian::{CELL_NODES, Meridian};
 use super::pencil::{Pattern, Pencil};
 use crate::{Material, SolveError};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
-
-/// Gauss points and weights on −1…1. With fewer, which do for hexahedra, motions that no point sees
-/// would run along a single layer of cells: many waves around a small circle do.
-const GAUSS_3: [(f64, f64); 3] = [
-    (-0.774_596_669_241_483_4, 5.0 / 9.0),
-    (0.0, 8.0 / 9.0),
-    (0.774_596_669_241_483_4, 5.0 / 9.0),
-];
 
 /// K and M of one harmonic, and where its unknowns stand among those of all nodes.
 #[derive(Clone, Debug)]
@@ -186,6 +179,8 @@ impl Cell {
 }
 
 fn points() -> impl Iterator<Item = ([f64; 2], f64)> {
+    // With fewer points, which do for hexahedra, motions that no point sees would run along a single layer of
+    // cells: many waves around a small circle do.
     let rule = GAUSS_3.into_iter();
     rule.flat_map(|(x, wx)| GAUSS_3.map(|(y, wy)| ([x, y], wx * wy)))
 }

@@ -3,6 +3,7 @@
 //! Reduced integration frees thin walls of the locking that full integration suffers (Zienkiewicz,
 //! Taylor & Too 1971); the zero-energy modes it allows in one element cannot pass between two.
 
+use super::gauss::{GAUSS_2, GAUSS_3};
 use super::isotropic::{add_block, physical_gradients};
 use crate::Material;
 
@@ -28,19 +29,6 @@ pub const HEX20_NODES: [[f64; 3]; 20] = [
     [1.0, -1.0, 0.0],
     [1.0, 1.0, 0.0],
     [-1.0, 1.0, 0.0],
-];
-
-/// Two-point Gauss rule on −1…1: abscissae ±1/√3, weights 1.
-const GAUSS_2: [(f64, f64); 2] = [
-    (-0.577_350_269_189_625_8, 1.0),
-    (0.577_350_269_189_625_8, 1.0),
-];
-
-/// Three-point Gauss rule on −1…1: abscissae 0, ±√(3/5), weights 8/9, 5/9.
-const GAUSS_3: [(f64, f64); 3] = [
-    (-0.774_596_669_241_483_4, 5.0 / 9.0),
-    (0.0, 8.0 / 9.0),
-    (0.774_596_669_241_483_4, 5.0 / 9.0),
 ];
 
 /// Stiffness blocks and scalar masses between the nodes of one hexahedron.

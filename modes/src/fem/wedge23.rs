@@ -3,6 +3,7 @@
 //! Quadratic displacements on a curved triangle cannot bend without stretching, and a thin wall of them comes
 //! out sharp. Cubic ones can, nearly: what is left falls with the fourth power of the triangle's side.
 
+use super::gauss::{GAUSS_2, GAUSS_3};
 use super::isotropic::{add_block, determinant, physical_gradients};
 use crate::Material;
 
@@ -69,19 +70,6 @@ const DEGREE_6: [([f64; 2], f64); 12] = {
         ([e, d], w),
     ]
 };
-
-/// Two-point Gauss rule on −1…1: abscissae ±1/√3, weights 1.
-const GAUSS_2: [(f64, f64); 2] = [
-    (-0.577_350_269_189_625_8, 1.0),
-    (0.577_350_269_189_625_8, 1.0),
-];
-
-/// Three-point Gauss rule on −1…1: abscissae 0, ±√(3/5), weights 8/9, 5/9.
-const GAUSS_3: [(f64, f64); 3] = [
-    (-0.774_596_669_241_483_4, 5.0 / 9.0),
-    (0.0, 8.0 / 9.0),
-    (0.774_596_669_241_483_4, 5.0 / 9.0),
-];
 
 /// Nodes of a wedge at which something is known.
 type Nodes = [[f64; 3]; WEDGE_NODES];

@@ -135,21 +135,17 @@ pub(super) fn single(half_waves: f64, start: f64, wraps: bool) -> Grid {
 
 /// Rows over a film that is held all around, from a third of its length and two fifths of its width.
 pub(super) fn film(half_waves: [f64; 2]) -> Grid {
-    let [columns, rows] = counts(half_waves);
-    Grid {
-        start: whole_steps(0.3, columns),
-        aside: whole_steps(0.4, rows),
-        wraps: true,
-        backwards: false,
-        columns,
-        rows,
-    }
+    spread(counts(half_waves))
 }
 
 /// Points on a film whose shapes are told between them by tables: enough to draw it by, and so many that the
 /// first of them, where it is usually struck, lies on no node line of any but a few modes.
 pub(super) fn coarse() -> Grid {
-    let [columns, rows] = [43, 32];
+    spread([43, 32])
+}
+
+/// As many columns and rows over a film.
+fn spread([columns, rows]: [usize; 2]) -> Grid {
     Grid {
         start: whole_steps(0.3, columns),
         aside: whole_steps(0.4, rows),

@@ -78,16 +78,6 @@ impl Ring<'_> {
         // What was tuned last is nearest in the cache.
         for range in self.ranges.iter().rev() {
             for packs in self.packs[range.clone()].chunks_mut(TOGETHER) {
-                if packs.iter().all(|pack| pack.points == ALL) {
-                    for (hops, pack) in hops.iter_mut().zip(&mut *packs) {
-                        leap::<S, HOPS>(s, pack, hops);
-                        if self.advance {
-                            turn(s, pack);
-                        }
-                    }
-                    add::<S, V, C, HOPS>(s, packs, hops, (None, rows::<HOPS>(sums, ALL)));
-                    continue;
-                }
                 let mut present = [false; KINDS];
                 for (hops, pack) in hops.iter_mut().zip(&mut *packs) {
                     match pack.points {
@@ -104,13 +94,13 @@ impl Ring<'_> {
                     *used |= present;
                 }
                 if present[0] {
-                    add::<S, V, A, 1>(s, packs, hops, (Some(0), rows::<1>(sums, 0)));
+                    add::<S, V, A, 1>(s, packs, hops, (0, rows::<1>(sums, 0)));
                 }
                 if present[1] {
-                    add::<S, V, B, 2>(s, packs, hops, (Some(1), rows::<2>(sums, 1)));
+                    add::<S, V, B, 2>(s, packs, hops, (1, rows::<2>(sums, 1)));
                 }
                 if present[ALL] {
-                    add::<S, V, C, HOPS>(s, packs, hops, (Some(ALL), rows::<HOPS>(sums, ALL)));
+                    add::<S, V, C, HOPS>(s, packs, hops, (ALL, rows::<HOPS>(sums, ALL)));
                 }
             }
         }
@@ -118,17 +108,17 @@ impl Ring<'_> {
     }
 }
 
-/// Adds the sound of the packs that are heard at points of a kind, or of all if they all are, in `H` hops.
+/// Adds the sound of the packs that are heard at points of this kind, in `H` hops.
 #[inline(always)]
 fn add<S: Simd, const V: usize, const SUMS: usize, const H: usize>(
     s: S,
     packs: &[Pack],
     hops: &[Hops; TOGETHER],
-    (kind, sums): (Option<usize>, &mut [[f64; 2 * HOP]]),
+    (kind, sums): (usize, &mut [[f64; 2 * HOP]]),
 ) {
     let mut all = [[[s.splat_f32s(0.0); V]; SUMS]; H];
     for (pack, hops) in packs.iter().zip(hops) {
-        if kind.is_none_or(|kind| pack.points == kind) {
+        if pack.points == kind {
             add_pack(s, pack, hops, &mut all);
         }
     }

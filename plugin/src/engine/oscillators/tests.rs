@@ -283,7 +283,7 @@ fn damping_may_come_and_go_between_points() {
         // Of the level of all modes together, each of which began at 1.
         let db = 20.0 * (worst / hz.len() as f64).log10();
         println!("{vectors:?}: {db:.1} dB off, {kinds:?} cells at points of each kind");
-        assert!(db < -120.0, "{vectors:?}: {db} dB");
+        assert!(db < -125.0, "{vectors:?}: {db} dB");
         assert!(kinds[0] > 5 && kinds[2] > 10, "{kinds:?}");
     }
 }
